@@ -1,0 +1,197 @@
+#include "io/expression.hpp"
+
+#include <muParser.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+#include <utility>
+
+#include "core/errors.hpp"
+#include "io/input_text.hpp"
+#include "io/number_text.hpp"
+#include "io/text_file.hpp"
+
+namespace cracksim::io {
+
+namespace {
+
+struct Function {
+    std::string_view name;
+    double (*value)(double);
+};
+
+constexpr std::array functions{Function{"abs", [](double v) { return std::abs(v); }},
+                               Function{"sqrt", [](double v) { return std::sqrt(v); }},
+                               Function{"exp", [](double v) { return std::exp(v); }},
+                               Function{"log", [](double v) { return std::log(v); }},
+                               Function{"log10", [](double v) { return std::log10(v); }},
+                               Function{"sin", [](double v) { return std::sin(v); }},
+                               Function{"cos", [](double v) { return std::cos(v); }},
+                               Function{"tan", [](double v) { return std::tan(v); }},
+                               Function{"asin", [](double v) { return std::asin(v); }},
+                               Function{"acos", [](double v) { return std::acos(v); }},
+                               Function{"atan", [](double v) { return std::atan(v); }},
+                               Function{"sinh", [](double v) { return std::sinh(v); }},
+                               Function{"cosh", [](double v) { return std::cosh(v); }},
+                               Function{"tanh", [](double v) { return std::tanh(v); }},
+                               Function{"floor", [](double v) { return std::floor(v); }},
+                               Function{"ceil", [](double v) { return std::ceil(v); }},
+                               Function{"sign", [](double v) { return v > 0   ? 1.0
+                                                                      : v < 0 ? -1.0
+                                                                              : 0.0; }}};
+
+double atan2_of(double y, double x) { return std::atan2(y, x); }
+
+double min_of(const double* values, int count) {
+    double least = values[0];
+    for (int i = 1; i < count; ++i) {
+        least = values[i] < least ? values[i] : least;
+    }
+    return least;
+}
+
+double max_of(const double* values, int count) {
+    double most = values[0];
+    for (int i = 1; i < count; ++i) {
+        most = values[i] > most ? values[i] : most;
+    }
+    return most;
+}
+
+/// '=' alone would assign to a variable.
+bool assigns(std::string_view text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text.substr(i, 2) == "==") {
+            ++i;
+        } else if (text[i] == '=' && (i == 0 || std::string_view{"<>!"}.find(text[i - 1]) == std::string_view::npos)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void check_text(std::string_view text) {
+    constexpr std::string_view characters =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.+-*/^(),<>=!&|?: \n";
+    if (const std::size_t i = text.find_first_not_of(characters); i != std::string_view::npos) {
+        throw InputError{"the character at position " + std::to_string(i) + " has no meaning in an expression"};
+    }
+    if (assigns(text)) {
+        throw InputError{"'=' does not compare; write '=='"};
+    }
+}
+
+}  // namespace
+
+struct Expression::Formula {
+    explicit Formula(const std::string& text) {
+        parser.ClearFun();
+        parser.ClearConst();
+        for (const Function& function : functions) {
+            parser.DefineFun(std::string{function.name}, function.value);
+        }
+        parser.DefineFun("atan2", atan2_of);
+        parser.DefineFun("min", min_of);
+        parser.DefineFun("max", max_of);
+        parser.DefineConst("pi", std::numbers::pi);
+        parser.DefineConst("e", std::numbers::e);
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            parser.DefineVar(names[i], &variables[i]);
+        }
+        parser.SetExpr(text);
+        int results = 0;
+        parser.Eval(results);
+        if (results != 1) {
+            throw InputError{"a comma separates arguments of functions only; the decimal sign is a point"};
+        }
+        // Asked for its variables, muParser forgets its compiled form and takes unknown names, so a copy is asked.
+        const mu::varmap_type used = mu::Parser{parser}.GetUsedVar();
+        uses_time = used.contains("t");
+        is_constant = used.empty();
+    }
+
+    static constexpr std::array<const char*, 4> names{"x", "y", "z", "t"};
+    std::array<double, 4> variables{};
+    mu::Parser parser;
+    bool uses_time{false};
+    bool is_constant{false};
+};
+
+Expression::Expression(double constant)
+    : text_{std::isinf(constant) ? (constant > 0 ? ".inf" : "-.inf") : exact(constant)}, constant_{constant} {}
+
+Expression::Expression(std::string text) : text_{std::move(text)} {
+    if (const auto number = to_number(text_)) {
+        constant_ = *number;
+        return;
+    }
+    const auto explain = [&](const std::string& why) {
+        throw InputError{"'" + shortened(text_) + "' is not a number or an expression: " + why + "; allowed are " +
+                         allowed()};
+    };
+    try {
+        check_text(text_);
+        formula_ = std::make_unique<Formula>(text_);
+    } catch (const mu::ParserError& error) {
+        explain(error.GetMsg());
+    } catch (const InputError& error) {
+        explain(error.what());
+    }
+    if (formula_->is_constant) {
+        constant_ = formula_->parser.Eval();
+        formula_.reset();
+    }
+}
+
+Expression::~Expression() = default;
+Expression::Expression(Expression&&) noexcept = default;
+Expression& Expression::operator=(Expression&&) noexcept = default;
+
+Expression::Expression(const Expression& other)
+    : text_{other.text_},
+      constant_{other.constant_},
+      formula_{other.formula_ ? std::make_unique<Formula>(other.text_) : nullptr} {}
+
+Expression& Expression::operator=(const Expression& other) {
+    Expression copy{other};
+    return *this = std::move(copy);
+}
+
+double Expression::operator()(Vec3 at, double time) const {
+    if (!formula_) {
+        return constant_;
+    }
+    formula_->variables = {at.x, at.y, at.z, time};
+    return formula_->parser.Eval();
+}
+
+bool Expression::uses_time() const { return formula_ && formula_->uses_time; }
+
+std::string Expression::allowed() {
+    std::string names;
+    for (const Function& function : functions) {
+        names += std::string{function.name} + ", ";
+    }
+    return "numbers, x, y, z (m), t (s), pi, e, + - * / ^, < <= > >= == !=, && ||, a ? b : c, and the functions " +
+           names + "atan2, min, max";
+}
+
+Expression read_expression(const InputNode& node) {
+    if (!node.is_scalar()) {
+        node.fail("needs a number or an expression, not " + node.shown() +
+                  "; put an expression that holds ': ' in quotes");
+    }
+    const std::string text = node.text();
+    if (const auto infinite = to_infinity(text)) {
+        return Expression{*infinite};
+    }
+    try {
+        return Expression{text};
+    } catch (const InputError& error) {
+        node.fail(error.what());
+    }
+}
+
+}  // namespace cracksim::io

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/mesh.hpp"
+#include "io/frame_record.hpp"
+
+namespace cracksim::io {
+
+struct FieldInfo {
+    std::string name;
+    bool integer;
+};
+
+/// What the cells of a frame are and carry.
+struct CellLayout {
+    geometry::CellKind kind{geometry::CellKind::quadrilateral};
+    std::vector<FieldInfo> fields;
+
+    [[nodiscard]] std::int64_t corners() const { return kind == geometry::CellKind::point ? 1 : 4; }
+};
+
+/// What an index of frames must know of one frame.
+struct IndexedFrame {
+    FrameRecord record;
+    CellLayout cells;
+};
+
+/// An XDMF 3.0 temporal collection that points into the frames' datasets, by paths relative to DIR.
+[[nodiscard]] std::string xdmf_text(const std::string& name, std::span<const IndexedFrame> frames);
+
+/// ParaView's file series: file and time of each frame.
+[[nodiscard]] std::string series_text(std::span<const IndexedFrame> frames);
+
+}  // namespace cracksim::io

@@ -1,0 +1,78 @@
+#include "io/frame_writer.hpp"
+
+#include "io/agreement.hpp"
+#include "io/file_error.hpp"
+#include "io/spread_mesh.hpp"
+#include "io/text_file.hpp"
+#include "io/vtkhdf.hpp"
+
+namespace cracksim::io {
+
+namespace {
+
+std::string frame_file(const std::string& name, std::size_t number) {
+    std::string digits = std::to_string(number);
+    digits.insert(0, digits.size() < 6 ? 6 - digits.size() : 0, '0');
+    return "frames/" + name + "-" + digits + ".hdf";
+}
+
+}  // namespace
+
+FrameWriter::FrameWriter(const partition::Communicator& comm, std::filesystem::path directory, std::string name,
+                         std::int64_t gather_below)
+    : comm_{&comm}, directory_{std::move(directory)}, name_{std::move(name)}, gather_below_{gather_below} {}
+
+FrameRecord FrameWriter::write(const geometry::Mesh& mesh, std::int64_t step, double time) {
+    const std::int64_t faces = comm_->sum(mesh.cells());
+    if (faces == 0) {
+        return {.file = {}, .step = step, .time = time, .faces = 0, .points = 0};
+    }
+    const std::int64_t points = comm_->sum(static_cast<std::int64_t>(mesh.points.size()));
+    const std::string file = frame_file(name_, frames_.size());
+    const IndexedFrame frame{.record = {.file = file, .step = step, .time = time, .faces = faces, .points = points},
+                             .cells = agreed_layout(*comm_, mesh)};
+    write_file(mesh, frame);
+    frames_.push_back(frame);
+    write_index();
+    return frame.record;
+}
+
+void FrameWriter::write_file(const geometry::Mesh& mesh, const IndexedFrame& frame) const {
+    const std::filesystem::path file = directory_ / frame.record.file;
+    try {
+        write_whole(mesh, frame, unfinished(file));
+    } catch (const FileError&) {
+        if (comm_->is_root()) {
+            remove_unfinished(file);
+        }
+        throw;
+    }
+    on_root(*comm_, [&] { finish(file); });
+}
+
+void FrameWriter::write_whole(const geometry::Mesh& mesh, const IndexedFrame& frame,
+                              const std::filesystem::path& file) const {
+    if (vtkhdf_bytes(frame) >= gather_below_) {
+        write_vtkhdf(*comm_, file, mesh, frame);
+        return;
+    }
+    const geometry::Mesh whole = gathered(*comm_, mesh, frame.cells);
+    on_root(*comm_, [&] { write_vtkhdf(partition::Communicator{MPI_COMM_SELF}, file, whole, frame); });
+}
+
+void FrameWriter::write_index() const {
+    on_root(*comm_, [&] {
+        write_text(directory_ / (name_ + ".xdmf"), xdmf_text(name_, frames_));
+        write_text(directory_ / (name_ + ".hdf.series"), series_text(frames_));
+    });
+}
+
+FrameSeries FrameWriter::series() const {
+    FrameSeries series{.name = name_, .frames = {}};
+    for (const IndexedFrame& frame : frames_) {
+        series.frames.push_back(frame.record);
+    }
+    return series;
+}
+
+}  // namespace cracksim::io

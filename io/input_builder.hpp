@@ -1,0 +1,172 @@
+#pragma once
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/mark.h>
+
+#include <cstddef>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "core/errors.hpp"
+#include "io/input_text.hpp"
+
+namespace cracksim::io {
+
+/// A value as it stands in the text. Maps and lists have children; those of a map have keys.
+struct RawNode {
+    enum class Kind { null, scalar, list, map };
+
+    Kind kind{Kind::null};
+    std::string place;
+    std::string key;
+    std::string key_place;
+    std::string text;
+    std::vector<RawNode> children;
+};
+
+/// Makes a tree from the parser's events; refuses what a scene has no use for. A tree rather than yaml-cpp's own nodes because
+/// those lose duplicate keys and the places of empty values, and because here nesting is cut before it can overflow a stack.
+class InputBuilder : public YAML::EventHandler {
+public:
+    static constexpr std::size_t deepest = 50;
+
+    /// place: the file, or the setting whose value is parsed; a setting has no lines.
+    InputBuilder(RawNode& root, std::string place, bool has_lines)
+        : root_{&root}, place_{std::move(place)}, has_lines_{has_lines} {}
+
+    [[nodiscard]] std::string at(const YAML::Mark& mark) const {
+        return !has_lines_ || mark.is_null()
+                   ? place_
+                   : place_ + ":" + std::to_string(mark.line + 1) + ":" + std::to_string(mark.column + 1);
+    }
+
+    void OnDocumentStart(const YAML::Mark& mark) override {
+        if (documents_++ > 0) {
+            throw InputError{at(mark) +
+                             ": a second document begins here; a scene is one document: remove '---' or '...'"};
+        }
+    }
+    void OnDocumentEnd() override {}
+    void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+        scalar(mark, "", anchor, RawNode::Kind::null, "");
+    }
+    void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  const std::string& value) override {
+        scalar(mark, tag, anchor, RawNode::Kind::scalar, value);
+    }
+    void OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override { refuse_anchor(mark); }
+    void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                         YAML::EmitterStyle::value /*style*/) override {
+        open(mark, tag, anchor, RawNode::Kind::list);
+    }
+    void OnSequenceEnd() override { open_.pop_back(); }
+    void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                    YAML::EmitterStyle::value /*style*/) override {
+        open(mark, tag, anchor, RawNode::Kind::map);
+    }
+    void OnMapEnd() override { open_.pop_back(); }
+
+    [[noreturn]] void refuse_anchor(const YAML::Mark& mark) const {
+        throw InputError{
+            at(mark) +
+            ": YAML anchors and aliases (&name, *name) are not taken; write the value out, and put an expression "
+            "that begins with * or & in quotes"};
+    }
+
+    /// For a parser that met the end of the text too soon: its own mark is not where the user must look.
+    [[noreturn]] void refuse_open_bracket() const {
+        throw InputError{(open_.empty() ? place_ : open_.back().place) + ": a bracket opens here and is not closed"};
+    }
+
+private:
+    struct Open {
+        RawNode* node;
+        std::string place;
+        bool has_key{false};
+        std::string key;
+        std::string key_place;
+        std::unordered_map<std::string, std::string> places_of_keys;
+    };
+
+    [[nodiscard]] bool expects_key() const {
+        return !open_.empty() && open_.back().node->kind == RawNode::Kind::map && !open_.back().has_key;
+    }
+
+    void check(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) const {
+        if (anchor != 0) {
+            refuse_anchor(mark);
+        }
+        if (!tag.empty() && tag != "?" && tag != "!") {
+            throw InputError{at(mark) + ": YAML tags ('" + shortened(tag) +
+                             "') are not taken; write the value without a tag"};
+        }
+    }
+
+    void scalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, RawNode::Kind kind,
+                const std::string& text) {
+        check(mark, tag, anchor);
+        if (!expects_key()) {
+            add(mark, kind).text = text;
+        } else if (kind == RawNode::Kind::null) {
+            throw InputError{at(mark) + ": a key is missing before ':'"};
+        } else {
+            set_key(mark, text);
+        }
+    }
+
+    void set_key(const YAML::Mark& mark, const std::string& key) {
+        Open& map = open_.back();
+        const auto [first, is_new] = map.places_of_keys.try_emplace(key, at(mark));
+        if (!is_new) {
+            throw InputError{at(mark) + ": the key '" + shortened(key) + "' was given already at " + first->second +
+                             "; remove one of the two"};
+        }
+        map.has_key = true;
+        map.key = key;
+        map.key_place = at(mark);
+    }
+
+    RawNode& add(const YAML::Mark& mark, RawNode::Kind kind) {
+        RawNode node;
+        node.kind = kind;
+        node.place = at(mark);
+        if (open_.empty()) {
+            *root_ = std::move(node);
+            return *root_;
+        }
+        Open& parent = open_.back();
+        if (parent.node->kind == RawNode::Kind::map) {
+            node.key = std::move(parent.key);
+            node.key_place = std::move(parent.key_place);
+            parent.has_key = false;
+            // An empty value, or a map that begins on the next line, is best found by its key.
+            node.place = kind == RawNode::Kind::scalar ? node.place : node.key_place;
+        }
+        parent.node->children.push_back(std::move(node));
+        return parent.node->children.back();
+    }
+
+    void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, RawNode::Kind kind) {
+        check(mark, tag, anchor);
+        if (expects_key()) {
+            throw InputError{
+                at(mark) + ": a key must be plain text, not a list or a map; is a bracket open that should be closed?"};
+        }
+        if (open_.size() >= deepest) {
+            throw InputError{at(mark) + ": nested deeper than " + std::to_string(deepest) +
+                             " levels; a scene needs fewer than 10"};
+        }
+        RawNode& node = add(mark, kind);
+        open_.push_back(Open{&node, at(mark), false, "", "", {}});
+    }
+
+    RawNode* root_;
+    std::string place_;
+    bool has_lines_;
+    int documents_{0};
+    std::vector<Open> open_;
+};
+
+}  // namespace cracksim::io

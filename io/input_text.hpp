@@ -1,0 +1,122 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include "core/errors.hpp"
+
+namespace cracksim::io {
+
+/// Text of the input as a message may show it: one line, not too long.
+[[nodiscard]] inline std::string shortened(std::string text) {
+    constexpr std::size_t longest = 60;
+    if (text.size() > longest) {
+        std::size_t end = longest;
+        while ((static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
+            --end;
+        }
+        text = text.substr(0, end) + "...";
+    }
+    for (char& c : text) {
+        c = static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+    }
+    return text;
+}
+
+/// Bytes of the UTF-8 sequence that begins the text; 0 if there is none.
+[[nodiscard]] inline std::size_t utf8_length(std::string_view text) {
+    const auto byte = [&](std::size_t i) {
+        return i < text.size() ? static_cast<unsigned>(static_cast<unsigned char>(text[i])) : 0U;
+    };
+    const unsigned first = byte(0);
+    const std::size_t length = first < 0x80U                     ? 1
+                               : first >= 0xC2U && first < 0xE0U ? 2
+                               : first >= 0xE0U && first < 0xF0U ? 3
+                               : first >= 0xF0U && first < 0xF5U ? 4
+                                                                 : 0;
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xC0U) != 0x80U) {
+            return 0;
+        }
+    }
+    return length;
+}
+
+/// Where a reader of the text is; line and column count from 1, columns in bytes.
+struct TextPosition {
+    std::size_t line{1};
+    std::size_t column{1};
+
+    [[nodiscard]] std::string in(const std::string& file) const {
+        return file + ":" + std::to_string(line) + ":" + std::to_string(column);
+    }
+};
+
+/// Throws InputError unless the text is UTF-8 without control characters.
+inline void check_characters(std::string_view text, const std::string& file) {
+    TextPosition at;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t length = utf8_length(text.substr(i));
+        const auto byte = static_cast<unsigned char>(text[i]);
+        if (length == 0 || (byte < 0x20U && text[i] != '\t' && text[i] != '\n')) {
+            char shown[8];
+            std::snprintf(shown, sizeof shown, "0x%02X", static_cast<unsigned>(byte));
+            throw InputError{at.in(file) + ": the byte " + shown + " is not text; a scene is a YAML file in UTF-8"};
+        }
+        at = text[i] == '\n' ? TextPosition{at.line + 1, 1} : TextPosition{at.line, at.column + length};
+        i += length;
+    }
+}
+
+/// Throws InputError where a tab is part of a line's indentation: YAML wants spaces, and its own message about it helps nobody.
+/// Tabs in blank lines, which no one sees, become spaces.
+inline void clean_indentation(std::string& text, const std::string& file) {
+    for (std::size_t begin = 0, line = 1; begin < text.size(); ++line) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::size_t first = std::min(text.find_first_not_of(" \t", begin), end);
+        const std::size_t tab = std::min(text.find('\t', begin), first);
+        if (tab < first && first < end) {
+            throw InputError{TextPosition{line, tab - begin + 1}.in(file) +
+                             ": a tab indents this line; YAML takes spaces only"};
+        }
+        std::replace(text.begin() + static_cast<std::ptrdiff_t>(begin),
+                     text.begin() + static_cast<std::ptrdiff_t>(first), '\t', ' ');
+        begin = end + 1;
+    }
+}
+
+/// The text without carriage returns.
+[[nodiscard]] inline std::string with_unix_line_ends(std::string_view text) {
+    std::string unified;
+    unified.reserve(text.size());
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '\r') {
+            unified += text[i];
+        } else if (text.substr(i, 2) != "\r\n") {
+            unified += '\n';
+        }
+    }
+    return unified;
+}
+
+/// The text as the parser wants it. Throws InputError if it cannot be a scene.
+[[nodiscard]] inline std::string checked_text(std::string_view text, const std::string& file) {
+    constexpr std::size_t largest = std::size_t{4} << 20U;
+    if (text.size() > largest) {
+        throw InputError{file + ": has more than 4 MiB; a scene is a short text: is this the right file?"};
+    }
+    if (text.starts_with("\xEF\xBB\xBF")) {
+        text.remove_prefix(3);
+    }
+    std::string checked = with_unix_line_ends(text);
+    check_characters(checked, file);
+    clean_indentation(checked, file);
+    // yaml-cpp takes a quote that is never closed if a line end follows.
+    checked.erase(checked.find_last_not_of(" \n") + 1);
+    return checked;
+}
+
+}  // namespace cracksim::io

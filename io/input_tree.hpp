@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cracksim::io {
+
+struct RawNode;
+
+/// A value of the input with its place in the file. Valid as long as its tree is neither changed nor destroyed.
+/// Every getter throws InputError "file:line:column: key.path: what is wrong" if the value is not what is asked for.
+class InputNode {
+public:
+    enum class Infinity { refused, allowed };
+
+    InputNode(const RawNode& raw, std::string path) : raw_{&raw}, path_{std::move(path)} {}
+
+    /// Throws InputError for this value, with place and path in front of the text.
+    [[noreturn]] void fail(const std::string& why) const;
+
+    /// The value as an error message shows it: 'text', "a list", "a map", or "null".
+    [[nodiscard]] std::string shown() const;
+    /// Key path with dots, list items by index: "supports.0.name"; empty for the root.
+    [[nodiscard]] const std::string& path() const { return path_; }
+    [[nodiscard]] bool is_null() const;
+    [[nodiscard]] bool is_scalar() const;
+    [[nodiscard]] bool is_list() const;
+    [[nodiscard]] bool is_map() const;
+
+    [[nodiscard]] double number(Infinity infinity = Infinity::refused) const;
+    /// 1e3 is an integer, 1.5 is not.
+    [[nodiscard]] std::int64_t integer(std::int64_t least, std::int64_t most) const;
+    [[nodiscard]] bool boolean() const;
+    [[nodiscard]] std::string text() const;
+    /// One of the words.
+    [[nodiscard]] std::string word(std::span<const std::string_view> words) const;
+    [[nodiscard]] std::vector<InputNode> list() const;
+    [[nodiscard]] std::vector<InputNode> list(std::size_t size) const;
+
+    /// This is a map without other keys than these.
+    void expect_keys(std::span<const std::string_view> keys) const;
+    /// The value of a key of this map.
+    [[nodiscard]] std::optional<InputNode> find(std::string_view key) const;
+    /// The same for a key that must be there.
+    [[nodiscard]] InputNode at(std::string_view key) const;
+
+private:
+    const RawNode* raw_;
+    std::string path_;
+};
+
+/// A scene file as a tree of values. It takes YAML 1.2 without anchors, aliases, tags and complex keys; the root is a map, keys
+/// are unique in their map, there is one document of at most 4 MiB of UTF-8, nested at most 50 deep, and no tab indents.
+class InputTree {
+public:
+    /// file: the name that messages show. Throws InputError.
+    InputTree(std::string_view text, std::string file);
+    ~InputTree();
+    InputTree(InputTree&&) noexcept;
+    InputTree& operator=(InputTree&&) noexcept;
+    InputTree(const InputTree&) = delete;
+    InputTree& operator=(const InputTree&) = delete;
+
+    /// Applies "key.path=value" with a value in YAML; list items by index: "block.cells.0=5". Missing keys are made; an index
+    /// one past the end appends. Messages about such a value begin with "--set key.path". Throws InputError.
+    void set(std::string_view setting);
+
+    [[nodiscard]] InputNode root() const;
+
+private:
+    std::string file_;
+    std::unique_ptr<RawNode> root_;
+};
+
+}  // namespace cracksim::io

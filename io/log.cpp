@@ -1,0 +1,109 @@
+#include "io/log.hpp"
+
+#include <spdlog/logger.h>
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/stdout_sinks.h>
+
+#include <cstdio>
+
+#include "io/agreement.hpp"
+#include "io/file_error.hpp"
+
+namespace cracksim::io {
+
+namespace {
+
+std::unique_ptr<spdlog::logger> make_logger(spdlog::sink_ptr sink, const std::string& pattern) {
+    auto logger = std::make_unique<spdlog::logger>("cracksim", std::move(sink));
+    logger->set_pattern(pattern);
+    logger->flush_on(spdlog::level::info);
+    return logger;
+}
+
+// A log that cannot be written is no reason to stop a run; the run's other files tell the same disk's story.
+void ignore(const std::string& /*message*/) {}
+
+}  // namespace
+
+struct Log::Sinks {
+    std::unique_ptr<spdlog::logger> out = make_logger(std::make_shared<spdlog::sinks::stdout_sink_st>(), "%v");
+    std::unique_ptr<spdlog::logger> problems = make_logger(std::make_shared<spdlog::sinks::stderr_sink_st>(), "%l: %v");
+    std::unique_ptr<spdlog::logger> file;
+
+    void to_file(spdlog::level::level_enum level, const std::string& text) const {
+        if (file) {
+            file->log(level, text);
+        }
+    }
+};
+
+Log::Log(const partition::Communicator& comm, bool quiet) : comm_{&comm}, quiet_{quiet} {
+    if (comm.is_root()) {
+        sinks_ = std::make_unique<Sinks>();
+    }
+}
+
+Log::~Log() { wipe_live_line(); }
+
+void Log::open(const std::filesystem::path& file) {
+    on_root(*comm_, [&] {
+        try {
+            constexpr bool truncate = true;
+            sinks_->file = make_logger(std::make_shared<spdlog::sinks::basic_file_sink_st>(file.string(), truncate),
+                                       "%Y-%m-%d %H:%M:%S.%e %l: %v");
+            sinks_->file->set_error_handler(ignore);
+        } catch (const spdlog::spdlog_ex& failure) {
+            throw FileError{"cannot create " + file.string() + ": " + failure.what(), false};
+        }
+    });
+}
+
+void Log::info(const std::string& text) {
+    if (!sinks_) {
+        return;
+    }
+    wipe_live_line();
+    if (!quiet_) {
+        sinks_->out->info(text);
+    }
+    sinks_->to_file(spdlog::level::info, text);
+}
+
+void Log::warn(const std::string& text) {
+    if (!sinks_) {
+        return;
+    }
+    wipe_live_line();
+    sinks_->problems->warn(text);
+    sinks_->to_file(spdlog::level::warn, text);
+}
+
+void Log::error(const std::string& text) {
+    if (!sinks_) {
+        return;
+    }
+    wipe_live_line();
+    sinks_->problems->error(text);
+    sinks_->to_file(spdlog::level::err, text);
+}
+
+// Blanks cover what a longer line left; escape sequences would stay visible in a redirected output.
+void Log::live(const std::string& text) {
+    if (!sinks_ || quiet_) {
+        return;
+    }
+    const std::string blanks(live_width_ > text.size() ? live_width_ - text.size() : 0, ' ');
+    std::fputs(("\r" + text + blanks).c_str(), stdout);
+    std::fflush(stdout);
+    live_width_ = text.size();
+}
+
+void Log::wipe_live_line() {
+    if (live_width_ > 0) {
+        std::fputs(("\r" + std::string(live_width_, ' ') + "\r").c_str(), stdout);
+        std::fflush(stdout);
+        live_width_ = 0;
+    }
+}
+
+}  // namespace cracksim::io

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+namespace cracksim::io {
+
+/// A finite number in decimal notation and nothing else; ".inf" is not one. Never depends on the locale.
+[[nodiscard]] inline std::optional<double> to_number(std::string_view text) {
+    if (text.starts_with('+') && text.size() > 1 && text[1] != '-') {
+        text.remove_prefix(1);
+    }
+    const std::size_t first = text.starts_with('-') ? 1 : 0;
+    // from_chars takes "inf" and "nan" too.
+    if (first >= text.size() || (text[first] != '.' && (text[first] < '0' || text[first] > '9'))) {
+        return std::nullopt;
+    }
+    double value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc{} && end == text.data() + text.size() ? std::optional{value} : std::nullopt;
+}
+
+/// YAML's infinities: .inf, -.inf and their other spellings.
+[[nodiscard]] inline std::optional<double> to_infinity(std::string_view text) {
+    const bool negative = text.starts_with('-');
+    if (negative || text.starts_with('+')) {
+        text.remove_prefix(1);
+    }
+    if (text != ".inf" && text != ".Inf" && text != ".INF") {
+        return std::nullopt;
+    }
+    return negative ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
+}
+
+/// An integer, also written as an integral number such as 1e3 (up to 2^53, where numbers are exact).
+[[nodiscard]] inline std::optional<std::int64_t> to_integer(std::string_view text) {
+    std::int64_t value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc{} && end == text.data() + text.size()) {
+        return value;
+    }
+    const auto number = to_number(text);
+    if (!number || std::abs(*number) > 0x1p53 || *number != std::floor(*number)) {
+        return std::nullopt;
+    }
+    return static_cast<std::int64_t>(*number);
+}
+
+}  // namespace cracksim::io

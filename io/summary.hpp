@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/ids.hpp"
+#include "io/frame_record.hpp"
+#include "io/provenance.hpp"
+
+namespace cracksim::io {
+
+enum class Status { finished, stopped, invalid };
+
+/// What summary.json says of a run; names and meaning are the file's. SI units.
+struct Summary {
+    /// Why a run is invalid.
+    struct Invalid {
+        std::int64_t step;
+        MassId mass;
+        std::string cause;
+    };
+    struct Counts {
+        std::int64_t entities{0}, masses{0}, interactions{0}, duplets{0}, unions{0}, darts{0}, interior_faces{0};
+    };
+    struct Time {
+        std::string scheme;
+        double step{0};   ///< s
+        double bound{0};  ///< the largest stable step, s
+        std::string bound_cause;
+        std::int64_t steps{0};
+        double end{0};  ///< s
+    };
+    struct Events {
+        std::int64_t duplets{0}, splits{0};
+    };
+    /// A fragment's id is its smallest entity id; its share is of the block's rest volume, 0 to 1.
+    struct Fragment {
+        EntityId id;
+        double volume_share;
+    };
+    struct Energy {  ///< J
+        double kinetic{0}, elastic{0}, dissipated{0}, external{0}, residual{0};
+    };
+    struct Seconds {
+        double total{0}, setup{0}, force{0}, update{0}, sense{0}, exchange{0}, topology{0}, geometry{0}, output{0};
+    };
+    struct Memory {  ///< bytes
+        std::int64_t per_rank_max{0};
+        double per_entity{0}, map_per_entity{0};
+    };
+    struct Exchange {
+        double bytes_per_step{0};
+        std::int64_t neighbours_max{0};
+    };
+
+    Status status{Status::finished};
+    std::optional<Invalid> invalid;  ///< given if, and only if, status is invalid
+    bool bitwise{true};
+    Provenance provenance;
+    Counts counts;
+    Time time;
+    Events events;
+    std::uint64_t event_hash{0}, state_hash{0};
+    std::int64_t fragments{0}, components{0};
+    std::vector<Fragment> largest_fragments;
+    double crack_area{0};  ///< m2
+    Energy energy;
+    Seconds seconds;
+    double steps_per_second{0}, times_real_time{0};
+    Memory memory;
+    Exchange exchange;
+    std::vector<FrameSeries> frames;
+};
+
+/// The text of summary.json: keys in the order above, numbers that are not finite as null, hashes as 16 hex digits.
+[[nodiscard]] std::string summary_text(const Summary& summary);
+
+/// Writes summary.json whole or not at all. For the root alone, within on_root() of agreement.hpp. Throws FileError.
+void write_summary(const std::filesystem::path& file, const Summary& summary);
+
+}  // namespace cracksim::io

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "core/contracts.hpp"
+#include "core/ids.hpp"
+#include "partition/communicator.hpp"
+
+namespace cracksim::partition {
+
+/// A fixed table of values that cross ranks: who sends the value of which global id to whom (PetscSF underneath).
+/// Send and receive lists are separate; messages may go one way. Both lists ascend in global id.
+class ExchangePlan {
+public:
+    /// Collective. The one builder of every table that crosses ranks: `needed` are the global ids whose values this rank
+    /// reads and does not own, ascending, each once; `owner` says who sends each.
+    ExchangePlan(const Communicator& comm, std::vector<std::int64_t> needed, std::span<const Rank> owner);
+
+    /// Global ids that this rank sends, ascending, each once.
+    [[nodiscard]] std::span<const std::int64_t> sent() const { return sent_; }
+    /// Global ids that this rank receives, ascending, each once.
+    [[nodiscard]] std::span<const std::int64_t> received() const { return received_; }
+    /// Ranks that this rank sends to or receives from.
+    [[nodiscard]] int neighbours() const { return neighbours_; }
+    /// Values that leave this rank in one exchange (a value sent to two ranks counts twice).
+    [[nodiscard]] std::int64_t values_sent() const { return values_sent_; }
+
+    /// Collective. values[i] belongs to sent()[i]; afterwards received_values[i] is the owner's value of received()[i].
+    template <class T>
+    void exchange(std::span<const T> values, std::span<T> received_values) const {
+        static_assert(std::is_trivially_copyable_v<T>);
+        CRACKSIM_EXPECT(values.size() == sent_.size() && received_values.size() == received_.size());
+        exchange_bytes(sizeof(T), values.data(), received_values.data());
+    }
+
+private:
+    class Forest;
+    struct ForestDeleter {
+        void operator()(Forest* forest) const;
+    };
+
+    void exchange_bytes(std::size_t unit, const void* values, void* received_values) const;
+
+    std::vector<std::int64_t> sent_;
+    std::vector<std::int64_t> received_;
+    int neighbours_{0};
+    std::int64_t values_sent_{0};
+    std::unique_ptr<Forest, ForestDeleter> forest_;
+};
+
+}  // namespace cracksim::partition

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/contracts.hpp"
+#include "core/ids.hpp"
+#include "partition/decomposition.hpp"
+#include "partition/exchange_plan.hpp"
+
+namespace cracksim::partition {
+
+/// Carries one value an entity from its owner to every rank that holds it as halo.
+class Halo {
+public:
+    /// Collective.
+    Halo(const Communicator& comm, const Decomposition& decomposition);
+
+    /// Collective. values has one value a local entity; those of halo entities are replaced by their owners'.
+    template <class T>
+    void update(std::span<T> values) const {
+        std::vector<T> sent;
+        sent.reserve(sent_.size());
+        for (const LocalEntity e : sent_) {
+            sent.push_back(values[e.index()]);
+        }
+        std::vector<T> received(received_.size());
+        plan_.exchange<T>(sent, received);
+        for (std::size_t i = 0; i < received.size(); ++i) {
+            values[received_[i].index()] = received[i];
+        }
+    }
+
+    [[nodiscard]] std::span<const LocalEntity> received() const { return received_; }
+    [[nodiscard]] const ExchangePlan& plan() const { return plan_; }
+
+private:
+    ExchangePlan plan_;
+    std::vector<LocalEntity> sent_;
+    std::vector<LocalEntity> received_;
+};
+
+/// The place of a global id among the local entities. It must be local.
+[[nodiscard]] LocalEntity find_local(const Decomposition& decomposition, EntityId entity);
+
+}  // namespace cracksim::partition

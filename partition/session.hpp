@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "partition/communicator.hpp"
+
+namespace cracksim::partition {
+
+/// MPI and PETSc from construction to destruction; one a process, in main.
+class Session {
+public:
+    Session(int argc, char** argv);
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+    ~Session();
+
+    /// All ranks.
+    [[nodiscard]] Communicator world() const;
+    /// Ends all ranks at once: for an error that only some ranks know of.
+    [[noreturn]] static void abort(int exit_code);
+};
+
+struct Library {
+    std::string name;
+    std::string version;
+};
+
+/// The libraries of this room, for provenance.
+[[nodiscard]] std::vector<Library> libraries();
+
+}  // namespace cracksim::partition

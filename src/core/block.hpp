@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/hexahedron.hpp"
+#include "core/ids.hpp"
+#include "core/vec3.hpp"
+
+namespace cracksim {
+
+/// Where a face of an entity leads: face corner k (place in the cycle) meets corner (rotation - k) mod 4 of the neighbour's face.
+struct FaceNeighbour {
+    EntityId entity;
+    int face;
+    int rotation;
+};
+
+/// The block as the scene gives it: a regular grid of hexahedra. It knows who meets whom and where every corner rests,
+/// for any global id, without storing anything per entity. Physics, topology and partition are all built from it.
+class Block {
+public:
+    /// cells: entities along x, y, z (each >= 1); edge: lengths in m (> 0); origin: lower corner in m.
+    Block(std::array<std::int64_t, 3> cells, Vec3 edge, Vec3 origin);
+
+    [[nodiscard]] const std::array<std::int64_t, 3>& cells() const { return cells_; }
+    [[nodiscard]] Vec3 edge() const { return edge_; }
+    [[nodiscard]] Vec3 origin() const { return origin_; }
+
+    [[nodiscard]] std::int64_t entity_count() const { return cells_[0] * cells_[1] * cells_[2]; }
+    [[nodiscard]] std::int64_t mass_count() const { return entity_count() * Hexahedron::corners; }
+    [[nodiscard]] std::int64_t vertex_count() const { return (cells_[0] + 1) * (cells_[1] + 1) * (cells_[2] + 1); }
+    [[nodiscard]] std::int64_t interior_face_count() const;
+    /// Rest volume, m3.
+    [[nodiscard]] double volume() const;
+    /// Rest area of a face of the given index, m2.
+    [[nodiscard]] double face_area(int face) const;
+
+    [[nodiscard]] std::array<std::int64_t, 3> cell(EntityId entity) const;
+    [[nodiscard]] EntityId entity(std::array<std::int64_t, 3> cell) const;
+    /// Empty on the block's boundary.
+    [[nodiscard]] std::optional<FaceNeighbour> neighbour(EntityId entity, int face) const;
+
+    [[nodiscard]] VertexId vertex(EntityId entity, int corner) const;
+    /// The entities that meet at a vertex, in ascending order.
+    [[nodiscard]] std::vector<EntityId> around(VertexId vertex) const;
+    /// Rest position, m: the same bits from every entity that meets at the corner.
+    [[nodiscard]] Vec3 position(EntityId entity, int corner) const;
+
+private:
+    std::array<std::int64_t, 3> cells_;
+    Vec3 edge_;
+    Vec3 origin_;
+};
+
+/// The masses of an entity are its corners: 8 * entity + corner , corners in VTK order.
+[[nodiscard]] constexpr MassId mass_id(EntityId entity, int corner) {
+    return MassId{entity.value() * Hexahedron::corners + corner};
+}
+[[nodiscard]] constexpr EntityId entity_of(MassId mass) { return EntityId{mass.value() / Hexahedron::corners}; }
+[[nodiscard]] constexpr int corner_of(MassId mass) { return static_cast<int>(mass.value() % Hexahedron::corners); }
+
+[[nodiscard]] constexpr LocalMass local_mass(LocalEntity entity, int corner) {
+    return LocalMass{entity.value() * Hexahedron::corners + corner};
+}
+[[nodiscard]] constexpr LocalEntity entity_of(LocalMass mass) { return LocalEntity{mass.value() / Hexahedron::corners}; }
+[[nodiscard]] constexpr int corner_of(LocalMass mass) { return mass.value() % Hexahedron::corners; }
+
+}  // namespace cracksim

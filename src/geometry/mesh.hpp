@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/vec3.hpp"
+
+namespace cracksim::geometry {
+
+enum class CellKind : std::uint8_t { point = 1, quadrilateral = 9 };  ///< VTK's cell type numbers
+
+/// One value a cell.
+struct CellField {
+    std::string name;
+    std::variant<std::vector<std::int64_t>, std::vector<double>> values;
+};
+
+/// What the files show, spread over the ranks: each rank holds a run of the points and a run of the cells, in rank order.
+/// connectivity holds global point numbers, corners(kind) a cell.
+struct Mesh {
+    CellKind kind{CellKind::quadrilateral};
+    std::vector<Vec3> points;  ///< m
+    std::vector<std::int64_t> connectivity;
+    std::vector<CellField> fields;
+
+    [[nodiscard]] std::int64_t corners() const { return kind == CellKind::point ? 1 : 4; }
+    [[nodiscard]] std::int64_t cells() const { return static_cast<std::int64_t>(connectivity.size()) / corners(); }
+};
+
+}  // namespace cracksim::geometry

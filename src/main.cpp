@@ -1,0 +1,38 @@
+#include <cstdio>
+#include <exception>
+
+#include "core/errors.hpp"
+#include "core/float_environment.hpp"
+#include "partition/session.hpp"
+#include "simulation/command_line.hpp"
+#include "simulation/execute.hpp"
+
+int main(int argc, char** argv) {
+    using namespace cracksim;
+    flush_subnormals_to_zero();
+    const partition::Session session{argc, argv};
+    const partition::Communicator comm = session.world();
+    const auto say = [&](const char* text) {
+        if (comm.is_root()) {
+            std::fprintf(stderr, "cracksim: %s\n", text);
+        }
+    };
+    try {
+        const auto command = simulation::parse(argc, argv);
+        if (const auto* answer = std::get_if<simulation::Answer>(&command)) {
+            if (comm.is_root()) {
+                std::fputs(answer->text.c_str(), stdout);
+            }
+            return answer->exit_code;
+        }
+        return simulation::execute(comm, std::get<simulation::CommandLine>(command));
+    } catch (const InputError& error) {
+        say(error.what());
+        return 2;
+    } catch (const InvalidRun&) {
+        return 3;
+    } catch (const std::exception& error) {
+        say(error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,204 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "physics/force_sweep.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <utility>
+
+#include "physics/force_sweep.hpp"
+#include "physics/force_sweep_view.hpp"
+#include "physics/union_table.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace cracksim::physics::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using D = hn::CappedTag<double, UnionTable::lanes>;
+using V = hn::Vec<D>;
+
+/// The corners of some consecutive entities: positions relative to rest, increments, and the forces summed so far.
+struct Corners {
+    V u[Hexahedron::corners][3];
+    V w[Hexahedron::corners][3];
+    V f[Hexahedron::corners][3];
+};
+
+/// Sums over the interactions of the entities.
+struct Sums {
+    V dissipated;
+    V elastic;
+    V longest[3];  ///< largest elongation of the edges along each axis
+};
+
+HWY_INLINE V LoadSlots(const double* values, const std::int32_t* slots, bool run) {
+    const D d;
+    if (run) {
+        return hn::LoadU(d, values + slots[0]);
+    }
+    const hn::RebindToSigned<D> di;
+    const hn::Rebind<std::int32_t, D> d32;
+    return hn::GatherIndex(d, values, hn::PromoteTo(di, hn::LoadU(d32, slots)));
+}
+
+HWY_INLINE V Dot(const V (&a)[3], const V (&b)[3]) {
+    return hn::MulAdd(a[2], b[2], hn::MulAdd(a[1], b[1], hn::Mul(a[0], b[0])));
+}
+
+template <std::size_t I, bool kMeasure>
+HWY_INLINE void AddInteraction(const InteractionConstants& c, Corners& x, Sums& sums) {
+    const D d;
+    constexpr std::size_t a = HexahedronPairs::corners[I][0];
+    constexpr std::size_t b = HexahedronPairs::corners[I][1];
+    V du[3], dw[3], dist[3], twice[3];
+    for (int i = 0; i < 3; ++i) {
+        const V rest = hn::Set(d, c.rest[i]);
+        du[i] = hn::Sub(x.u[b][i], x.u[a][i]);
+        dw[i] = hn::Sub(x.w[b][i], x.w[a][i]);
+        dist[i] = hn::Add(rest, du[i]);
+        twice[i] = hn::Add(rest, dist[i]);
+    }
+    const V squared = Dot(dist, dist);
+    const V length = hn::Sqrt(squared);
+    const V sum = hn::Add(length, hn::Set(d, c.rest_length));
+    // One division serves both 1/|d| and 1/(|d| + L0).
+    const V both = hn::Div(hn::Set(d, 1.0), hn::Mul(length, sum));
+    const V inverse_length = hn::Mul(sum, both);
+    const V elongation = hn::Mul(Dot(twice, du), hn::Mul(length, both));
+    const V rate = hn::Mul(Dot(dw, dist), inverse_length);
+    const V drag = hn::Mul(hn::Set(d, c.viscosity_rate), rate);
+    const V tension = hn::MulAdd(hn::Set(d, c.stiffness), elongation, drag);
+    // A vanished length has no direction; a length that is not a number must stay one.
+    const auto vanished = hn::Lt(squared, hn::Set(d, c.tiny_squared));
+    const V factor = hn::IfThenZeroElse(vanished, hn::Mul(tension, inverse_length));
+    for (int i = 0; i < 3; ++i) {
+        x.f[a][i] = hn::MulAdd(factor, dist[i], x.f[a][i]);
+        x.f[b][i] = hn::NegMulAdd(factor, dist[i], x.f[b][i]);
+    }
+    sums.dissipated = hn::Add(sums.dissipated, hn::IfThenZeroElse(vanished, hn::Mul(drag, rate)));
+    if constexpr (kMeasure) {
+        const V half_k = hn::Set(d, 0.5 * c.stiffness);
+        sums.elastic = hn::MulAdd(hn::Mul(half_k, elongation), elongation, sums.elastic);
+    }
+    if constexpr (I < HexahedronPairs::edges) {
+        constexpr std::size_t axis = I / HexahedronPairs::edges_per_axis;
+        sums.longest[axis] =
+            I % HexahedronPairs::edges_per_axis == 0 ? elongation : hn::Max(sums.longest[axis], elongation);
+    }
+}
+
+template <bool kMeasure, std::size_t... I>
+HWY_INLINE void AddInteractions(const ForceSweepView& v, Corners& x, Sums& sums, std::index_sequence<I...>) {
+    (AddInteraction<I, kMeasure>(v.interaction[I], x, sums), ...);
+}
+
+/// Bits of the entities that exceed a limit, at their lane.
+HWY_INLINE unsigned Exceeded(V longest, const double* limit) {
+    const D d;
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, hn::Gt(longest, hn::LoadU(d, limit)), bits);
+    return bits[0];
+}
+
+template <bool kMeasure>
+void SweepAll(ForceSweepView& v) {
+    const D d;
+    const std::size_t n = hn::Lanes(d);
+    V dissipated = hn::Zero(d);
+    V elastic = hn::Zero(d);
+    for (std::size_t batch = 0; batch < v.batches; ++batch) {
+        const unsigned runs = v.batch_runs[batch];
+        unsigned exceeded[3] = {0, 0, 0};
+        for (std::size_t lane = 0; lane < UnionTable::lanes; lane += n) {
+            const std::size_t e = batch * UnionTable::lanes + lane;
+            Corners x;
+            for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
+                const bool run = ((runs >> c) & 1U) != 0;
+                for (int i = 0; i < 3; ++i) {
+                    x.u[c][i] = LoadSlots(v.displacement[i], v.slot[c] + e, run);
+                    x.w[c][i] = LoadSlots(v.velocity_increment[i], v.slot[c] + e, run);
+                    x.f[c][i] = hn::Zero(d);
+                }
+            }
+            Sums sums{hn::Zero(d), hn::Zero(d), {hn::Zero(d), hn::Zero(d), hn::Zero(d)}};
+            AddInteractions<kMeasure>(v, x, sums, std::make_index_sequence<HexahedronPairs::count>{});
+            for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
+                for (int i = 0; i < 3; ++i) {
+                    hn::StoreU(x.f[c][i], d, v.force[i] + c * v.stride + e);
+                }
+            }
+            const V owned = hn::LoadU(d, v.owned + e);
+            dissipated = hn::MulAdd(owned, sums.dissipated, dissipated);
+            elastic = hn::MulAdd(owned, sums.elastic, elastic);
+            for (int axis = 0; axis < 3; ++axis) {
+                exceeded[axis] |= Exceeded(sums.longest[axis], v.limit[axis] + e) << lane;
+            }
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            v.exceeded[axis][batch] = static_cast<std::uint8_t>(exceeded[axis]);
+        }
+    }
+    v.dissipated = hn::GetLane(hn::SumOfLanes(d, dissipated));
+    v.elastic = hn::GetLane(hn::SumOfLanes(d, elastic));
+}
+
+void Sweep(ForceSweepView& v) { SweepAll<false>(v); }
+void SweepMeasured(ForceSweepView& v) { SweepAll<true>(v); }
+
+}  // namespace cracksim::physics::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace cracksim::physics {
+
+HWY_EXPORT(Sweep);
+HWY_EXPORT(SweepMeasured);
+
+namespace {
+
+InteractionConstants constants(const EntityModel& model, std::size_t i, double dt) {
+    const Vec3 rest = model.rest[i];
+    const double tiny = 1e-12 * model.rest_length[i];
+    return {{rest.x, rest.y, rest.z}, model.rest_length[i], model.elasticity[i].stiffness,
+            model.elasticity[i].viscosity / dt, tiny * tiny};
+}
+
+ForceSweepView view_of(const Network& network, State& state) {
+    ForceSweepView v{};
+    for (std::size_t i = 0; i < v.interaction.size(); ++i) {
+        v.interaction[i] = constants(network.model(), i, state.step_size);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        v.displacement[axis] = state.displacement.component(axis);
+        v.velocity_increment[axis] = state.velocity_increment().component(axis);
+        v.limit[axis] = state.sensing.limit[i].data();
+        v.exceeded[axis] = state.sensing.exceeded[i].data();
+        v.force[axis] = state.force.component(axis);
+    }
+    for (int corner = 0; corner < Hexahedron::corners; ++corner) {
+        v.slot[corner] = state.unions.slots_of_corner(corner);
+    }
+    v.batch_runs = state.unions.batch_runs();
+    v.owned = state.owned_weight.data();
+    v.stride = state.unions.stride();
+    v.batches = state.unions.batches();
+    return v;
+}
+
+}  // namespace
+
+void accumulate_forces(const Network& network, State& state, Measure measure) {
+    ForceSweepView view = view_of(network, state);
+    if (measure == Measure::elastic_energy) {
+        HWY_DYNAMIC_DISPATCH(SweepMeasured)(view);
+        state.elastic = view.elastic;
+    } else {
+        HWY_DYNAMIC_DISPATCH(Sweep)(view);
+    }
+    state.dissipated += view.dissipated;
+}
+
+}  // namespace cracksim::physics
+
+#endif

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "physics/network.hpp"
+#include "physics/state.hpp"
+
+namespace cracksim::physics {
+
+enum class Measure { nothing, elastic_energy };
+
+/// Forces of all local entities, owned and halo alike, at the current state: state.force. On the way it marks the entities
+/// whose edges are stretched enough for a sensor to trigger (state.sensing.exceeded), adds the step's dissipation
+/// z (v.n)^2 dt of the owned entities to state.dissipated and, if asked, sets state.elastic.
+///
+/// F_i = [ k e + z (v_j - v_i).n ] n  with  d = d0 + u_j - u_i,  n = d/|d|  and the elongation in its stable form
+/// e = ((2 d0 + du).du) / (|d| + L0).
+void accumulate_forces(const Network& network, State& state, Measure measure);
+
+}  // namespace cracksim::physics

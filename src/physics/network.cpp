@@ -1,0 +1,131 @@
+#include "physics/network.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/contracts.hpp"
+
+namespace cracksim::physics {
+
+namespace {
+
+int place_in_face(int face, int corner) {
+    const auto& cycle = Hexahedron::face[static_cast<std::size_t>(face)];
+    const auto found = std::ranges::find(cycle, corner);
+    return found == cycle.end() ? -1 : static_cast<int>(found - cycle.begin());
+}
+
+int partner_place(int rotation, int k) { return (rotation - k + 2 * Hexahedron::face_corners) % Hexahedron::face_corners; }
+
+}  // namespace
+
+int Interface::corner_a(int k) const { return Hexahedron::face[face_a][static_cast<std::size_t>(k)]; }
+
+int Interface::corner_b(int k) const { return Hexahedron::face[face_b][static_cast<std::size_t>(partner_place(rotation, k))]; }
+
+int Interface::duplet_at_a(int corner) const { return place_in_face(face_a, corner); }
+
+int Interface::duplet_at_b(int corner) const {
+    const int place = place_in_face(face_b, corner);
+    return place < 0 ? -1 : partner_place(rotation, place);
+}
+
+bool Support::holds(Vec3 p) const {
+    return p.x >= box[0].x && p.x <= box[1].x && p.y >= box[0].y && p.y <= box[1].y && p.z >= box[0].z && p.z <= box[1].z;
+}
+
+Network::Network(const Block& block, const EntityModel& model, IdArray<LocalEntity, EntityId> entities,
+                 IdArray<LocalEntity, std::uint8_t> owned, const Thresholds& thresholds, std::vector<Support> supports)
+    : block_{block},
+      model_{model},
+      entities_{std::move(entities)},
+      owned_{std::move(owned)},
+      supports_{std::move(supports)},
+      advanced_(entities_.size() * Hexahedron::corners, 0) {
+    CRACKSIM_EXPECT(std::ranges::is_sorted(entities_.span()) && owned_.size() == entities_.size());
+    find_unions();
+    find_interfaces();
+    set_thresholds(thresholds);
+}
+
+void Network::find_unions() {
+    std::vector<std::pair<VertexId, LocalMass>> corners;
+    corners.reserve(static_cast<std::size_t>(mass_count()));
+    for (LocalMass m{0}; m.value() < mass_count(); ++m) {
+        corners.emplace_back(block_.vertex(entities_[entity_of(m)], corner_of(m)), m);
+    }
+    std::ranges::sort(corners);
+    union_begin_.push_back(0);
+    for (auto first = corners.begin(); first != corners.end();) {
+        const auto last = std::find_if(first, corners.end(), [&](const auto& c) { return c.first != first->first; });
+        const bool touched = std::any_of(first, last, [&](const auto& c) { return owned(entity_of(c.second)); });
+        for (auto c = first; c != last; ++c) {
+            advanced_[c->second.index()] = touched ? 1 : 0;
+            (touched ? union_masses_ : received_).push_back(c->second);
+        }
+        if (touched) {
+            union_begin_.push_back(union_masses_.size());
+        }
+        first = last;
+    }
+    std::ranges::sort(received_);
+}
+
+void Network::find_interfaces() {
+    const auto local = [&](EntityId id) {
+        const auto place = std::ranges::lower_bound(entities_.span(), id);
+        const bool found = place != entities_.span().end() && *place == id;
+        return found ? LocalEntity{static_cast<std::int32_t>(place - entities_.span().begin())} : LocalEntity{};
+    };
+    interface_of_face_.assign(entities_.size() * Hexahedron::faces, -1);
+    for (LocalEntity a{0}; a.value() < entity_count(); ++a) {
+        for (int face = 0; face < Hexahedron::faces; ++face) {
+            const auto other = block_.neighbour(entities_[a], face);
+            if (!other || other->entity < entities_[a]) {
+                continue;
+            }
+            const LocalEntity b = local(other->entity);
+            if (b == LocalEntity{}) {
+                continue;
+            }
+            const auto index = static_cast<std::int32_t>(interfaces_.size());
+            interface_of_face_[a.index() * Hexahedron::faces + static_cast<std::size_t>(face)] = index;
+            interface_of_face_[b.index() * Hexahedron::faces + static_cast<std::size_t>(other->face)] = index;
+            interfaces_.push_back({a, b, static_cast<std::uint8_t>(face), static_cast<std::uint8_t>(other->face),
+                                   static_cast<std::uint8_t>(other->rotation)});
+        }
+    }
+}
+
+void Network::set_thresholds(const Thresholds& thresholds) {
+    threshold_.assign(interfaces_.size() * duplets_per_interface, std::numeric_limits<double>::quiet_NaN());
+    touched_duplets_.assign(interfaces_.size(), 0);
+    for (std::size_t i = 0; i < interfaces_.size(); ++i) {
+        for (int k = 0; k < duplets_per_interface; ++k) {
+            const LocalMass a = local_mass(interfaces_[i].a, interfaces_[i].corner_a(k));
+            const LocalMass b = local_mass(interfaces_[i].b, interfaces_[i].corner_b(k));
+            if (advanced_[a.index()] == 0) {
+                continue;
+            }
+            const Vec3 at = rest_position(a);
+            const double value = thresholds.of(mass(a), mass(b), at);
+            threshold_[i * duplets_per_interface + static_cast<std::size_t>(k)] = value;
+            touched_duplets_[i] = static_cast<std::uint8_t>(touched_duplets_[i] | (1U << static_cast<unsigned>(k)));
+            if (!(value > 0) && !invalid_threshold_) {
+                invalid_threshold_ = "the threshold at x = " + std::to_string(at.x) + ", y = " + std::to_string(at.y) +
+                                     ", z = " + std::to_string(at.z) + " m is " + std::to_string(value);
+            }
+        }
+    }
+}
+
+std::size_t Network::memory_bytes() const {
+    return entities_.bytes() + owned_.bytes() + interfaces_.capacity() * sizeof(Interface) +
+           interface_of_face_.capacity() * sizeof(std::int32_t) + threshold_.capacity() * sizeof(double) +
+           touched_duplets_.capacity() + union_begin_.capacity() * sizeof(std::size_t) +
+           (union_masses_.capacity() + received_.capacity()) * sizeof(LocalMass) + advanced_.capacity();
+}
+
+}  // namespace cracksim::physics

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/block.hpp"
+#include "core/id_array.hpp"
+#include "core/ids.hpp"
+#include "physics/entity_model.hpp"
+#include "physics/thresholds.hpp"
+
+namespace cracksim::physics {
+
+/// Two entities that share a face. Duplet k ties the masses at corner k of a's face and at the corner it meets on b's.
+/// a is the smaller entity.
+struct Interface {
+    LocalEntity a;
+    LocalEntity b;
+    std::uint8_t face_a;
+    std::uint8_t face_b;
+    std::uint8_t rotation;
+
+    [[nodiscard]] int corner_a(int k) const;
+    [[nodiscard]] int corner_b(int k) const;
+    /// The k of the duplet at a corner of a (or of b), or -1 if the corner is not on the face.
+    [[nodiscard]] int duplet_at_a(int corner) const;
+    [[nodiscard]] int duplet_at_b(int corner) const;
+};
+
+/// Prescribed velocity of the masses whose rest position is inside a box; an empty component is free. m/s, of (m, s).
+struct Support {
+    std::string name;
+    std::array<Vec3, 2> box;
+    std::array<std::function<double(Vec3, double)>, 3> velocity;
+
+    [[nodiscard]] bool holds(Vec3 rest_position) const;
+};
+
+/// The problem on this rank, unchanged during a run: entities, duplets and their thresholds, starting unions, supports.
+/// Starting unions are those of the `corners` duplets: the masses that meet at a vertex.
+class Network {
+public:
+    static constexpr int duplets_per_interface = Hexahedron::face_corners;
+
+    /// entities: local ones, ascending; owned: 1 where this rank is the owner. Errors found in thresholds are kept for
+    /// the caller to agree on with the other ranks: see invalid_threshold().
+    Network(const Block& block, const EntityModel& model, IdArray<LocalEntity, EntityId> entities,
+            IdArray<LocalEntity, std::uint8_t> owned, const Thresholds& thresholds, std::vector<Support> supports);
+
+    [[nodiscard]] const Block& block() const { return block_; }
+    [[nodiscard]] const EntityModel& model() const { return model_; }
+    [[nodiscard]] std::int32_t entity_count() const { return static_cast<std::int32_t>(entities_.size()); }
+    [[nodiscard]] std::int32_t mass_count() const { return entity_count() * Hexahedron::corners; }
+    [[nodiscard]] EntityId entity(LocalEntity e) const { return entities_[e]; }
+    [[nodiscard]] bool owned(LocalEntity e) const { return owned_[e] != 0; }
+    [[nodiscard]] MassId mass(LocalMass m) const { return mass_id(entities_[entity_of(m)], corner_of(m)); }
+    [[nodiscard]] Vec3 rest_position(LocalMass m) const {
+        return block_.position(entities_[entity_of(m)], corner_of(m));
+    }
+
+    [[nodiscard]] const std::vector<Interface>& interfaces() const { return interfaces_; }
+    /// Index of the interface on a face of an entity; -1 on the block's boundary or where the neighbour is not local.
+    [[nodiscard]] std::int32_t interface_at(LocalEntity e, int face) const {
+        return interface_of_face_[e.index() * Hexahedron::faces + static_cast<std::size_t>(face)];
+    }
+    /// Threshold, a stretch, of duplet k of an interface; the duplets of unions that are not touched have none (NaN).
+    [[nodiscard]] double threshold(std::int32_t interface, int k) const {
+        return threshold_[static_cast<std::size_t>(interface) * duplets_per_interface + static_cast<std::size_t>(k)];
+    }
+    /// Bit k is set where duplet k of an interface ties masses of a touched union.
+    [[nodiscard]] std::uint8_t touched_duplets(std::int32_t interface) const {
+        return touched_duplets_[static_cast<std::size_t>(interface)];
+    }
+
+    [[nodiscard]] std::size_t union_count() const { return union_begin_.size() - 1; }
+    /// Masses of a touched union, ascending. Unions stand in the order of their vertices.
+    [[nodiscard]] std::span<const LocalMass> union_masses(std::size_t u) const {
+        return std::span{union_masses_}.subspan(union_begin_[u], union_begin_[u + 1] - union_begin_[u]);
+    }
+    /// Local masses of unions that are not touched, ascending: their motion comes from the owners of their entities.
+    [[nodiscard]] const std::vector<LocalMass>& received() const { return received_; }
+    [[nodiscard]] const std::vector<Support>& supports() const { return supports_; }
+
+    /// What is wrong with a threshold of this rank (not a number, or not above zero), if any.
+    [[nodiscard]] const std::optional<std::string>& invalid_threshold() const { return invalid_threshold_; }
+
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+private:
+    void find_unions();
+    void find_interfaces();
+    void set_thresholds(const Thresholds& thresholds);
+
+    Block block_;
+    EntityModel model_;
+    IdArray<LocalEntity, EntityId> entities_;
+    IdArray<LocalEntity, std::uint8_t> owned_;
+    std::vector<Support> supports_;
+    std::vector<Interface> interfaces_;
+    std::vector<std::int32_t> interface_of_face_;
+    std::vector<double> threshold_;
+    std::vector<std::uint8_t> touched_duplets_;
+    std::vector<std::size_t> union_begin_;
+    std::vector<LocalMass> union_masses_;
+    std::vector<LocalMass> received_;
+    std::vector<std::uint8_t> advanced_;  ///< by local mass
+    std::optional<std::string> invalid_threshold_;
+};
+
+}  // namespace cracksim::physics

@@ -1,0 +1,23 @@
+#include "physics/simd_target.hpp"
+
+#include <hwy/targets.h>
+
+namespace cracksim::physics {
+
+namespace {
+
+/// Highway gives better targets lower bits; the lowest one that is both compiled in and supported is used.
+std::int64_t target_in_use() {
+    const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS;
+    return usable & -usable;
+}
+
+}  // namespace
+
+std::int64_t best_simd_target() { return -target_in_use(); }
+
+void limit_simd_target(std::int64_t target) { hwy::DisableTargets(-target - 1); }
+
+std::string simd_target_name() { return hwy::TargetName(target_in_use()); }
+
+}  // namespace cracksim::physics

@@ -1,0 +1,82 @@
+#include "physics/supports.hpp"
+
+#include <algorithm>
+
+namespace cracksim::physics {
+
+namespace {
+
+constexpr const char* axis_name = "xyz";
+
+Held held_at(const Network& network, Slot s, Vec3 rest) {
+    Held held{s, rest, {-1, -1, -1}};
+    for (std::size_t i = network.supports().size(); i-- > 0;) {
+        const Support& support = network.supports()[i];
+        for (std::size_t axis = 0; axis < 3 && support.holds(rest); ++axis) {
+            if (support.velocity[axis]) {
+                held.support[axis] = static_cast<std::int16_t>(i);
+            }
+        }
+    }
+    return held;
+}
+
+std::optional<std::string> conflict_at(const Network& network, LocalMass m) {
+    std::array<const Support*, 3> holder{};
+    const Vec3 rest = network.rest_position(m);
+    for (const Support& support : network.supports()) {
+        for (std::size_t axis = 0; axis < 3 && support.holds(rest); ++axis) {
+            if (!support.velocity[axis]) {
+                continue;
+            }
+            if (holder[axis] != nullptr) {
+                return "supports '" + holder[axis]->name + "' and '" + support.name + "' both prescribe the velocity along " +
+                       axis_name[axis] + " of mass " + std::to_string(network.mass(m).value()) + " at x = " +
+                       std::to_string(rest.x) + ", y = " + std::to_string(rest.y) + ", z = " + std::to_string(rest.z) + " m";
+            }
+            holder[axis] = &support;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Held> find_held(const Network& network, const UnionTable& unions) {
+    std::vector<Held> all;
+    for (Slot s = unions.first_advanced(); s < unions.end() && !network.supports().empty(); ++s) {
+        const Held held = held_at(network, s, network.rest_position(unions.smallest_mass(s)));
+        if (std::ranges::any_of(held.support, [](int support) { return support >= 0; })) {
+            all.push_back(held);
+        }
+    }
+    return all;
+}
+
+std::optional<std::string> support_conflict(const Network& network) {
+    for (LocalMass m{0}; m.value() < network.mass_count() && network.supports().size() > 1; ++m) {
+        if (auto conflict = conflict_at(network, m)) {
+            return conflict;
+        }
+    }
+    return std::nullopt;
+}
+
+Vec3 prescribed(const Network& network, const State& state, Slot s, Vec3 free, double offset) {
+    const std::int32_t index = state.held_of_slot[s.index()];
+    if (index < 0) {
+        return free;
+    }
+    const Held& held = state.held[static_cast<std::size_t>(index)];
+    const double t = (static_cast<double>(state.step) + offset) * state.step_size;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int support = held.support[static_cast<std::size_t>(axis)];
+        if (support >= 0) {
+            const auto& velocity = network.supports()[static_cast<std::size_t>(support)].velocity;
+            free[axis] = state.step_size * velocity[static_cast<std::size_t>(axis)](held.rest, t);
+        }
+    }
+    return free;
+}
+
+}  // namespace cracksim::physics

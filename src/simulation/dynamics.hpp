@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "partition/audit.hpp"
+#include "partition/communicator.hpp"
+#include "partition/decomposition.hpp"
+#include "partition/exchange_plan.hpp"
+#include "physics/events.hpp"
+#include "physics/evolution.hpp"
+#include "physics/force_sweep.hpp"
+#include "physics/network.hpp"
+#include "physics/sensors.hpp"
+#include "physics/state.hpp"
+#include "simulation/scene.hpp"
+#include "simulation/stopwatch.hpp"
+
+namespace cracksim::simulation {
+
+/// Where physics and partition meet: the network's motion on all ranks, step by step.
+/// A step is  act(); ... ; advance();  between the two, all is at state n.
+class Dynamics {
+public:
+    /// Collective. Throws InputError on all ranks alike. comm and stopwatch must outlive this.
+    Dynamics(const partition::Communicator& comm, const Scene& scene, double step_size, Stopwatch& stopwatch);
+
+    /// Forces, sensing and splits at the current state. No communication.
+    void act(physics::Measure measure);
+    /// The explicit step of every advanced union, then the exchange of received masses. Collective.
+    void advance();
+
+    [[nodiscard]] const partition::Decomposition& decomposition() const { return decomposition_; }
+    [[nodiscard]] const physics::Network& network() const { return network_; }
+    [[nodiscard]] const physics::State& state() const { return state_; }
+    [[nodiscard]] const partition::ExchangePlan& plan() const { return plan_; }
+    [[nodiscard]] physics::Evolution evolution() const;
+
+    /// Splits of this rank's touched unions since the last call.
+    [[nodiscard]] physics::SplitStream take_splits();
+    /// Events since the last call that this rank reports: duplets whose smaller mass it owns.
+    [[nodiscard]] std::vector<physics::DupletEvent> take_events();
+
+    /// Over this rank's reported events so far.
+    [[nodiscard]] std::int64_t inactive_duplets() const { return inactive_duplets_; }
+    [[nodiscard]] std::uint64_t event_hash() const { return event_hash_; }
+    /// Unions split so far that this rank reports (it owns their smallest mass), and the parts they left beyond the first.
+    [[nodiscard]] std::int64_t splits() const { return splits_; }
+    [[nodiscard]] std::int64_t parts_gained() const { return parts_gained_; }
+
+    /// Collective; throws std::runtime_error on all ranks with what was found.
+    void audit(const partition::Audit& audit) const;
+
+private:
+    void exchange();
+    void set_start_increments();
+
+    const partition::Communicator* comm_;
+    Stopwatch* stopwatch_;
+    partition::Decomposition decomposition_;
+    physics::Network network_;
+    physics::State state_;
+    partition::ExchangePlan plan_;
+    std::vector<LocalMass> sent_;
+    physics::Prefilter prefilter_;
+    physics::SplitStream new_splits_;
+    std::size_t counted_splits_{0};
+    std::vector<physics::DupletEvent> new_events_;
+    std::int64_t inactive_duplets_{0};
+    std::uint64_t event_hash_{0};
+    std::int64_t splits_{0};
+    std::int64_t parts_gained_{0};
+};
+
+}  // namespace cracksim::simulation

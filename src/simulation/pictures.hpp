@@ -1,0 +1,25 @@
+#pragma once
+
+#include "geometry/mesh.hpp"
+#include "partition/communicator.hpp"
+#include "physics/evolution.hpp"
+#include "simulation/coat.hpp"
+#include "simulation/dynamics.hpp"
+
+namespace cracksim::simulation {
+
+/// What the frames show, at the current state. Each function is collective.
+
+enum class Faces { all_free, crack_only };
+
+/// Free faces at the current positions of their corners, one point a topological vertex.
+[[nodiscard]] geometry::Mesh surface_mesh(const partition::Communicator& comm, const Dynamics& dynamics, const Coat& coat,
+                                          const physics::Evolution& evolution, Faces faces);
+/// One point a mass.
+[[nodiscard]] geometry::Mesh mass_mesh(const partition::Communicator& comm, const Dynamics& dynamics, const Coat& coat,
+                                       const physics::Evolution& evolution);
+/// Every face of every cell, drawn towards its cell's centre, with `sewn`.
+[[nodiscard]] geometry::Mesh topology_mesh(const partition::Communicator& comm, const Dynamics& dynamics, const Coat& coat,
+                                           const physics::Evolution& evolution);
+
+}  // namespace cracksim::simulation

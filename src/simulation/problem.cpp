@@ -1,0 +1,114 @@
+#include "simulation/problem.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include "core/errors.hpp"
+#include "physics/supports.hpp"
+
+namespace cracksim::simulation {
+
+namespace {
+
+Vec3 evaluate(const std::array<io::Expression, 3>& field, Vec3 at) {
+    return {field[0](at, 0.0), field[1](at, 0.0), field[2](at, 0.0)};
+}
+
+std::string number(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
+physics::Thresholds thresholds(const Scene& scene) {
+    return {[field = scene.sensors.threshold](Vec3 at) { return field(at, 0.0); }, scene.sensors.weibull};
+}
+
+std::vector<physics::Support> supports(const Scene& scene) {
+    std::vector<physics::Support> all;
+    for (const Support& support : scene.supports) {
+        physics::Support one{support.name, support.box, {}};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (support.velocity[axis]) {
+                one.velocity[axis] = [v = *support.velocity[axis]](Vec3 at, double t) { return v(at, t); };
+            }
+        }
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
+/// The first thing that is wrong with this rank's part of the problem.
+std::optional<std::string> finding(const physics::Network& network, const physics::Initial& initial) {
+    if (network.invalid_threshold()) {
+        return "sensors.threshold: " + *network.invalid_threshold() +
+               "; a threshold is a stretch above zero (.inf: never); change the expression so that it is positive everywhere";
+    }
+    if (auto conflict = physics::support_conflict(network)) {
+        return "supports: " + *conflict + "; make the boxes disjoint or leave one component null";
+    }
+    for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
+        const Vec3 at = network.rest_position(m);
+        const Vec3 u = initial.displacement(at);
+        const Vec3 v = initial.velocity(at);
+        if (!std::isfinite(dot(u, u)) || !std::isfinite(dot(v, v))) {
+            return "initial: the displacement or velocity at x = " + number(at.x) + ", y = " + number(at.y) + ", z = " +
+                   number(at.z) + " m is not a finite number; change the expression";
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+physics::EntityModel entity_model(const Scene& scene) {
+    const auto elasticity = [](const Interaction& i) { return physics::Elasticity{i.stiffness, i.viscosity}; };
+    return {scene.block.edge(), scene.network.mass, elasticity(scene.network.edge), elasticity(scene.network.diagonal)};
+}
+
+CertifiedStep certify_step(const Scene& scene) {
+    const physics::EntityModel model = entity_model(scene);
+    const physics::StepBound bound = physics::step_bound(model, scene.time.scheme);
+    const double automatic = physics::automatic_step(model, bound);
+    const double step = scene.time.step.value_or(automatic);
+    CertifiedStep certified{step, bound, static_cast<std::int64_t>(std::ceil(scene.time.end / step * (1 - 1e-12))), ""};
+    if (step > bound.step && !scene.time.allow_unstable) {
+        throw InputError{"time.step: " + number(step) + " s is above the largest stable step " + number(bound.step) +
+                         " s (set by the " + bound.cause + " of an entity); use at most " + number(automatic) +
+                         " s or `auto`, or say time.allow_unstable: true"};
+    }
+    if (step > bound.step) {
+        certified.warning = "time.step " + number(step) + " s is above the largest stable step " + number(bound.step) +
+                            " s; the run may blow up (allow_unstable)";
+    } else if (step > automatic * (1 + 1e-12)) {
+        certified.warning = "time.step " + number(step) + " s is stable but closer to the bound " + number(bound.step) +
+                            " s than the usual " + number(automatic) + " s";
+    }
+    return certified;
+}
+
+partition::Partitioner partitioner(const Scene& scene) {
+    switch (scene.partition) {
+        case PartitionKind::metis: return partition::partition_by_metis;
+        case PartitionKind::slab: return partition::partition_by_slabs;
+        case PartitionKind::random: return partition::partition_at_random;
+    }
+    return partition::partition_by_metis;
+}
+
+physics::Initial initial_fields(const Scene& scene) {
+    return {[field = scene.initial.displacement](Vec3 at) { return evaluate(field, at); },
+            [field = scene.initial.velocity](Vec3 at) { return evaluate(field, at); }};
+}
+
+physics::Network build_network(const partition::Communicator& comm, const Scene& scene,
+                               const partition::Decomposition& decomposition) {
+    physics::Network network{scene.block, entity_model(scene), decomposition.entities, decomposition.owned,
+                             thresholds(scene), supports(scene)};
+    if (const auto text = comm.first(finding(network, initial_fields(scene)))) {
+        throw InputError{*text};
+    }
+    return network;
+}
+
+}  // namespace cracksim::simulation

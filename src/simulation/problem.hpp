@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/block.hpp"
+#include "partition/decomposition.hpp"
+#include "partition/partitioner.hpp"
+#include "physics/network.hpp"
+#include "physics/stability.hpp"
+#include "physics/state.hpp"
+#include "simulation/scene.hpp"
+
+namespace cracksim::simulation {
+
+/// The step of a scene and the bound that certifies it.
+struct CertifiedStep {
+    double step;  ///< s
+    physics::StepBound bound;
+    std::int64_t steps;  ///< to the end of the scene
+    std::string warning; ///< empty: the step keeps the usual distance from the bound
+};
+
+/// Throws InputError for a step above the bound unless the scene allows it.
+[[nodiscard]] CertifiedStep certify_step(const Scene& scene);
+
+[[nodiscard]] physics::EntityModel entity_model(const Scene& scene);
+[[nodiscard]] partition::Partitioner partitioner(const Scene& scene);
+[[nodiscard]] physics::Initial initial_fields(const Scene& scene);
+
+/// The network of this rank's entities. Collective: throws InputError on all ranks for a threshold that is not above zero
+/// or supports that contradict each other anywhere.
+[[nodiscard]] physics::Network build_network(const partition::Communicator& comm, const Scene& scene,
+                                             const partition::Decomposition& decomposition);
+
+}  // namespace cracksim::simulation

@@ -1,0 +1,172 @@
+#include "simulation/report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "core/hash.hpp"
+#include "io/memory.hpp"
+#include "partition/session.hpp"
+#include "physics/entity_model.hpp"
+#include "physics/hashes.hpp"
+#include "physics/simd_target.hpp"
+#include "simulation/progress.hpp"
+#include "simulation/scene_resolved.hpp"
+
+namespace cracksim::simulation {
+
+namespace {
+
+constexpr std::size_t listed_fragments = 10;
+
+std::string hex(std::uint64_t value) {
+    std::array<char, 17> text{};
+    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(value));
+    return text.data();
+}
+
+std::string number(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.4g", value);
+    return text.data();
+}
+
+/// 1234567 -> "1,234,567".
+std::string grouped(std::int64_t value) {
+    std::string text = std::to_string(value);
+    for (auto place = static_cast<std::ptrdiff_t>(text.size()) - 3; place > 0; place -= 3) {
+        text.insert(static_cast<std::size_t>(place), ",");
+    }
+    return text;
+}
+
+std::uint64_t digest(const std::string& text) {
+    std::uint64_t h = text.size();
+    for (const char c : text) {
+        h = mix(h, static_cast<unsigned char>(c));
+    }
+    return h;
+}
+
+io::Provenance provenance(const Simulation& simulation) {
+    io::Provenance p = io::collect_provenance();
+    for (const partition::Library& library : partition::libraries()) {
+        p.libraries.emplace_back(library.name, library.version);
+    }
+    p.simd_target = physics::simd_target_name();
+    p.ranks = simulation.comm().size();
+    const auto& weibull = simulation.scene().sensors.weibull;
+    p.seed = weibull ? weibull->seed : 0;
+    p.input_digest = hex(digest(resolved(simulation.scene())));
+    return p;
+}
+
+io::Summary::Counts counts(const Scene& scene) {
+    const Block& block = scene.block;
+    constexpr std::int64_t darts_per_face = 2 * Hexahedron::face_corners;
+    return {block.entity_count(),
+            block.mass_count(),
+            block.entity_count() * physics::HexahedronPairs::count,
+            block.interior_face_count() * physics::Network::duplets_per_interface,
+            block.vertex_count(),
+            block.entity_count() * Hexahedron::faces * darts_per_face,
+            block.interior_face_count()};
+}
+
+io::Summary::Seconds seconds(const Simulation& simulation) {
+    const Stopwatch& watch = simulation.stopwatch();
+    const auto longest = [&](Phase phase) { return simulation.comm().max(watch.in(phase)); };
+    return {simulation.comm().max(watch.total()), longest(Phase::setup),    longest(Phase::force),
+            longest(Phase::update),               longest(Phase::sense),    longest(Phase::exchange),
+            longest(Phase::topology),             longest(Phase::geometry), longest(Phase::output)};
+}
+
+io::Summary::Memory memory(const Simulation& simulation) {
+    const auto entities = static_cast<double>(simulation.scene().block.entity_count());
+    const Dynamics& dynamics = simulation.dynamics();
+    const auto model = static_cast<std::int64_t>(dynamics.network().memory_bytes() + dynamics.state().memory_bytes());
+    const auto map = static_cast<std::int64_t>(simulation.coat().map().memory_bytes());
+    const partition::Communicator& comm = simulation.comm();
+    return {comm.max(io::peak_resident_bytes()), static_cast<double>(comm.sum(model + map)) / entities,
+            static_cast<double>(comm.sum(map)) / entities};
+}
+
+io::Summary::Exchange exchange(const Simulation& simulation) {
+    const partition::ExchangePlan& plan = simulation.dynamics().plan();
+    const std::int64_t values = simulation.comm().sum(plan.values_sent());
+    return {static_cast<double>(values) * sizeof(Vec3), simulation.comm().max(std::int64_t{plan.neighbours()})};
+}
+
+std::vector<io::Summary::Fragment> largest_fragments(const Simulation& simulation) {
+    std::vector<io::Summary::Fragment> shares;
+    for (const geometry::LabelSize& size : simulation.coat().largest_fragments(listed_fragments)) {
+        shares.push_back({size.label, size.volume / simulation.scene().block.volume()});
+    }
+    return shares;
+}
+
+}  // namespace
+
+io::Summary summarize(const Simulation& simulation, std::vector<io::FrameSeries> frames, const InvalidRun* invalid) {
+    const partition::Communicator& comm = simulation.comm();
+    const Dynamics& dynamics = simulation.dynamics();
+    const CertifiedStep& certified = simulation.certified();
+    const Totals totals = simulation.totals();
+    const Energies& energies = simulation.energies();
+    io::Summary summary;
+    summary.status = invalid != nullptr ? io::Status::invalid : io::Status::finished;
+    if (invalid != nullptr) {
+        summary.invalid = {invalid->step(), invalid->mass(), invalid->what()};
+    }
+    summary.provenance = provenance(simulation);
+    summary.counts = counts(simulation.scene());
+    summary.time = {simulation.scene().time.scheme == physics::Scheme::ab2 ? "ab2" : "cordis", certified.step, certified.bound.step,
+                    certified.bound.cause, dynamics.state().step, dynamics.state().time()};
+    summary.events = {totals.inactive_duplets, totals.splits};
+    summary.event_hash = comm.sum(dynamics.event_hash());
+    summary.state_hash = comm.sum(physics::state_hash(dynamics.network(), dynamics.state()));
+    summary.fragments = simulation.coat().fragment_count();
+    summary.components = simulation.coat().component_count();
+    summary.largest_fragments = largest_fragments(simulation);
+    summary.crack_area = simulation.coat().crack_area();
+    summary.energy = {energies.kinetic, energies.elastic, energies.dissipated, energies.external,
+                      energies.residual(simulation.start_energies())};
+    summary.seconds = seconds(simulation);
+    const double running = summary.seconds.total - summary.seconds.setup;
+    summary.steps_per_second = static_cast<double>(summary.time.steps) / running;
+    summary.times_real_time = summary.time.end / running;
+    summary.memory = memory(simulation);
+    summary.exchange = exchange(simulation);
+    summary.frames = std::move(frames);
+    return summary;
+}
+
+std::vector<std::string> overview(const Simulation& simulation) {
+    const io::Summary::Counts n = counts(simulation.scene());
+    const CertifiedStep& c = simulation.certified();
+    const io::Summary::Memory m = memory(simulation);
+    const io::Summary::Exchange e = exchange(simulation);
+    const auto entities = static_cast<double>(n.entities);
+    return {grouped(n.entities) + " entities, " + grouped(n.masses) + " masses in " + grouped(n.unions) + " Mass-unions, " +
+                grouped(n.interactions) + " interactions, " + grouped(n.duplets) + " duplets, " + grouped(n.darts) + " darts",
+            "time step " + number(c.step) + " s (" + number(100 * c.step / c.bound.step) + " % of the bound " + number(c.bound.step) +
+                " s set by " + c.bound.cause + "), " + grouped(c.steps) + " steps to t = " + number(simulation.scene().time.end) + " s",
+            std::to_string(simulation.comm().size()) + " rank(s), SIMD " + physics::simd_target_name() + "; model and map " +
+                bytes_text(m.per_entity * entities) + " in all, exchange " + bytes_text(e.bytes_per_step) + " a step"};
+}
+
+std::vector<std::string> closing_lines(const io::Summary& s, const std::string& directory) {
+    std::vector<std::string> lines{
+        grouped(s.time.steps) + " steps in " + duration_text(s.seconds.total) + " (" + number(s.steps_per_second) + " steps/s, " +
+            number(s.times_real_time) + " x real time)",
+        grouped(s.events.splits) + " splits, " + grouped(s.fragments) + " fragment(s), crack area " + number(s.crack_area) + " m2"};
+    std::string largest;
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, s.largest_fragments.size()); ++i) {
+        largest += (i == 0 ? "" : ", ") + number(100 * s.largest_fragments[i].volume_share) + " %";
+    }
+    lines.push_back("largest fragments by volume: " + largest);
+    lines.push_back("results in " + directory + "; look at " + directory + "/surface.xdmf in ParaView");
+    return lines;
+}
+
+}  // namespace cracksim::simulation

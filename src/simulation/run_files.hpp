@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "io/event_writer.hpp"
+#include "io/frame_record.hpp"
+#include "io/frame_writer.hpp"
+#include "io/history_writer.hpp"
+#include "io/run_directory.hpp"
+#include "simulation/progress.hpp"
+#include "simulation/simulation.hpp"
+
+namespace cracksim::simulation {
+
+/// Writes a run's files at their times: frames, events, history; and tells its progress.
+class RunFiles : public Observer {
+public:
+    /// Collective. All arguments must outlive this.
+    RunFiles(const Simulation& simulation, const io::RunDirectory& directory, Progress& progress);
+
+    void coat(const Simulation& simulation, const News& news) override;
+    void frame(const Simulation& simulation) override;
+    void history(const Simulation& simulation) override;
+    void heartbeat(const Simulation& simulation) override;
+
+    [[nodiscard]] std::vector<io::FrameSeries> frames() const;
+
+private:
+    enum class Picture { surface, crack, masses, topology };
+    struct Series {
+        Picture picture;
+        std::unique_ptr<io::FrameWriter> writer;
+    };
+
+    io::EventWriter events_;
+    io::HistoryWriter history_;
+    std::vector<Series> series_;
+    Progress* progress_;
+};
+
+}  // namespace cracksim::simulation

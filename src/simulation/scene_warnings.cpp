@@ -1,0 +1,94 @@
+#include "simulation/scene_warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace cracksim::simulation {
+
+namespace {
+
+std::string rounded(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+void warn_of_thinness(const Scene& scene, std::vector<std::string>& warnings) {
+    const auto thin = std::ranges::count(scene.block.cells(), 1);
+    if (thin == 1 || thin == 2) {
+        warnings.push_back(
+            std::string{"block.cells: a "} + (thin == 1 ? "plate" : "bar") +
+            " one entity thick has no stiffness against twist; use 4 entities or more through the thickness");
+    }
+}
+
+void warn_of_fracture(const Scene& scene, std::vector<std::string>& warnings) {
+    const Material& material = *scene.material;
+    if (!scene.sensors.from_fracture_energy) {
+        warnings.emplace_back("material.fracture_energy: has no effect, because sensors.threshold is given");
+        return;
+    }
+    const double threshold = scene.sensors.threshold({}, 0);
+    warnings.push_back(
+        "material.fracture_energy: cracks take it on any block.edge, but where there is no crack yet one starts at "
+        "about " +
+        rounded(material.young * threshold) + " Pa (young times the threshold " + rounded(threshold) +
+        "), which grows as entities shrink");
+    if (threshold > 0.1) {
+        warnings.push_back(
+            "material.fracture_energy: gives a threshold of " + rounded(threshold) +
+            ", and the calibration holds well below 0.1 only; use a larger block.edge or a lower energy");
+    }
+    if (material.damping < 0.2) {
+        warnings.push_back("material.damping: " + rounded(material.damping) +
+                           " is below 0.2; what a crack releases is radiated, and with less damping it makes debris");
+    }
+}
+
+/// Is there a mass between two planes normal to an axis?
+bool has_masses_between(const Block& block, int axis, double lower, double upper) {
+    const double edge = block.edge()[axis];
+    const double origin = block.origin()[axis];
+    const auto last = static_cast<double>(block.cells()[static_cast<std::size_t>(axis)]);
+    const double first = std::clamp(std::floor((lower - origin) / edge) - 1, 0.0, last);
+    for (double i = first; i <= std::min(first + 3, last); ++i) {
+        const double at = origin + i * edge;
+        if (lower <= at && at <= upper) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void warn_of_empty_support(const Scene& scene, const Support& support, std::vector<std::string>& warnings) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!has_masses_between(scene.block, axis, support.box[0][axis], support.box[1][axis])) {
+            const double origin = scene.block.origin()[axis];
+            const double edge = scene.block.edge()[axis];
+            const double end = origin + static_cast<double>(scene.block.cells()[static_cast<std::size_t>(axis)]) * edge;
+            const std::string name{"xyz"[axis]};
+            warnings.push_back("supports: '" + support.name + "' holds nothing: masses rest at " + name + " = " +
+                               rounded(origin) + " to " + rounded(end) + " m, every " + rounded(edge) +
+                               " m, its box reaches from " + name + " = " + rounded(support.box[0][axis]) + " to " +
+                               rounded(support.box[1][axis]) + " m");
+            return;
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> find_warnings(const Scene& scene) {
+    std::vector<std::string> warnings;
+    warn_of_thinness(scene, warnings);
+    if (scene.material && scene.material->fracture_energy) {
+        warn_of_fracture(scene, warnings);
+    }
+    for (const Support& support : scene.supports) {
+        warn_of_empty_support(scene, support, warnings);
+    }
+    return warnings;
+}
+
+}  // namespace cracksim::simulation

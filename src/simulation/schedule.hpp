@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace cracksim::simulation {
+
+/// When something at a rate happens: at the first step with t >= k/rate, k = 0, 1, 2, ...; never at rate 0.
+/// A function of the step alone, so it is the same on every rank and after a restart.
+class Schedule {
+public:
+    /// rate in Hz, step_size in s.
+    Schedule(double rate, double step_size) : per_step_{rate * step_size} {}
+
+    [[nodiscard]] bool is_due(std::int64_t step) const {
+        return per_step_ > 0 && (step == 0 || ticks(step) > ticks(step - 1));
+    }
+
+private:
+    /// How many k/rate have passed; a tick that rounding puts just after its step still counts.
+    [[nodiscard]] double ticks(std::int64_t step) const {
+        return std::floor(static_cast<double>(step) * per_step_ * (1 + 1e-12));
+    }
+
+    double per_step_;
+};
+
+}  // namespace cracksim::simulation

@@ -1,0 +1,115 @@
+#include "simulation/simulation.hpp"
+
+#include <limits>
+#include <sstream>
+
+#include "core/errors.hpp"
+#include "physics/energies.hpp"
+
+namespace cracksim::simulation {
+
+namespace {
+
+constexpr std::int64_t steps_between_checks = 32;
+
+std::string cause_of(const CertifiedStep& certified, bool finite) {
+    std::ostringstream text;
+    text << (finite ? "moves by more than 100 edges in a step" : "has a motion that is not a finite number") << "; ";
+    if (certified.step > certified.bound.step) {
+        text << "likely cause: the time step " << certified.step << " s is above the largest stable step " << certified.bound.step
+             << " s; use time.step: auto";
+    } else {
+        text << "the time step is within its bound, so the likely cause is an initial or a support's velocity or displacement far "
+                "above what the material can carry; lower it";
+    }
+    return text.str();
+}
+
+}  // namespace
+
+Simulation::Simulation(const partition::Communicator& comm, const Scene& scene, Stopwatch& stopwatch)
+    : comm_{&comm},
+      scene_{&scene},
+      stopwatch_{&stopwatch},
+      certified_{certify_step(scene)},
+      dynamics_{comm, scene, certified_.step, stopwatch},
+      coat_{comm, scene.block, dynamics_.decomposition()},
+      coat_schedule_{scene.coat_rate, certified_.step},
+      frame_schedule_{scene.output.rate, certified_.step},
+      history_schedule_{scene.history_rate, certified_.step} {}
+
+void Simulation::enable_audit() { audit_.emplace(*comm_, dynamics_.decomposition()); }
+
+void Simulation::run(Observer& observer) {
+    for (;;) {
+        const std::int64_t step = dynamics_.state().step;
+        const bool ends = step == 0 || step == certified_.steps;
+        const bool measured = ends || history_schedule_.is_due(step);
+        if (measured || step % steps_between_checks == 0 || coat_schedule_.is_due(step) || frame_schedule_.is_due(step)) {
+            check_motion();
+        }
+        dynamics_.act(measured ? physics::Measure::elastic_energy : physics::Measure::nothing);
+        if (measured) {
+            measure();
+        }
+        step_actions(observer, ends);
+        if (step == certified_.steps) {
+            return;
+        }
+        dynamics_.advance();
+    }
+}
+
+void Simulation::step_actions(Observer& observer, bool forced) {
+    const std::int64_t step = dynamics_.state().step;
+    const bool frame_due = forced || frame_schedule_.is_due(step);
+    if (frame_due || coat_schedule_.is_due(step)) {
+        const News news{dynamics_.take_events(), dynamics_.take_splits()};
+        stopwatch_->time(Phase::topology, [&] { coat_.modify(news.splits, dynamics_.state().unions); });
+        if (audit_) {
+            dynamics_.audit(*audit_);
+        }
+        observer.coat(*this, news);
+    }
+    if (forced || history_schedule_.is_due(step)) {
+        observer.history(*this);
+    }
+    if (frame_due) {
+        observer.frame(*this);
+    }
+    if (step % steps_between_checks == 0) {
+        observer.heartbeat(*this);
+    }
+}
+
+void Simulation::measure() {
+    const physics::State& state = dynamics_.state();
+    energies_ = {comm_->sum(physics::kinetic_energy(dynamics_.network(), state)), comm_->sum(state.elastic),
+                 comm_->sum(state.dissipated), comm_->sum(state.external)};
+    if (state.step == 0) {
+        start_energies_ = energies_;
+    }
+}
+
+Totals Simulation::totals() const {
+    return {comm_->sum(dynamics_.inactive_duplets()), comm_->sum(dynamics_.splits()),
+            scene_->block.vertex_count() + comm_->sum(dynamics_.parts_gained())};
+}
+
+void Simulation::check_motion() const {
+    constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
+    const auto& breakdown = dynamics_.state().breakdown;
+    const std::int64_t step = comm_->min(breakdown ? breakdown->step : none);
+    if (step == none) {
+        return;
+    }
+    const bool first_here = breakdown && breakdown->step == step;
+    const std::int64_t mass = comm_->min(first_here ? breakdown->mass.value() : none);
+    const bool finite = !comm_->any(first_here && breakdown->mass.value() == mass && !breakdown->finite);
+    throw InvalidRun{"the run became invalid at step " + std::to_string(step) + " (t = " +
+                         std::to_string(static_cast<double>(step) * certified_.step) + " s): mass " + std::to_string(mass) + " " +
+                         cause_of(certified_, finite),
+                     step, MassId{mass}};
+}
+
+}  // namespace cracksim::simulation

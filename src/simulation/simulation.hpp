@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "partition/audit.hpp"
+#include "partition/communicator.hpp"
+#include "physics/events.hpp"
+#include "simulation/coat.hpp"
+#include "simulation/dynamics.hpp"
+#include "simulation/problem.hpp"
+#include "simulation/scene.hpp"
+#include "simulation/schedule.hpp"
+#include "simulation/stopwatch.hpp"
+
+namespace cracksim::simulation {
+
+/// Over all ranks, J.
+struct Energies {
+    double kinetic{0};
+    double elastic{0};
+    double dissipated{0};
+    double external{0};
+
+    /// What does not add up, given the energies at the start.
+    [[nodiscard]] double residual(const Energies& start) const {
+        return (kinetic + elastic + dissipated - external) - (start.kinetic + start.elastic);
+    }
+};
+
+/// Sums over all ranks, for history and progress.
+struct Totals {
+    std::int64_t inactive_duplets{0};
+    std::int64_t splits{0};
+    std::int64_t unions{0};
+};
+
+/// What the physics has told since the last coat, as this rank reports it.
+struct News {
+    std::vector<physics::DupletEvent> events;
+    physics::SplitStream splits;
+};
+
+class Simulation;
+
+/// What is done with a run at its times. All functions are collective and must not change the simulation.
+class Observer {
+public:
+    virtual ~Observer() = default;
+    /// After a modification of the map.
+    virtual void coat(const Simulation&, const News&) {}
+    virtual void frame(const Simulation&) {}
+    virtual void history(const Simulation&) {}
+    /// Every few steps.
+    virtual void heartbeat(const Simulation&) {}
+};
+
+/// The run loop: physics at every step; topology, frames and history at their rates. Their rates never change physics.
+class Simulation {
+public:
+    /// Collective. Throws InputError on all ranks alike. comm, scene and stopwatch must outlive this.
+    Simulation(const partition::Communicator& comm, const Scene& scene, Stopwatch& stopwatch);
+
+    /// From now on each coat is audited (see partition/audit.hpp). Collective.
+    void enable_audit();
+
+    /// From the start to the end of the scene. Collective. Throws InvalidRun on all ranks alike.
+    void run(Observer& observer);
+
+    [[nodiscard]] const partition::Communicator& comm() const { return *comm_; }
+    [[nodiscard]] const Scene& scene() const { return *scene_; }
+    [[nodiscard]] const CertifiedStep& certified() const { return certified_; }
+    [[nodiscard]] const Dynamics& dynamics() const { return dynamics_; }
+    [[nodiscard]] const Coat& coat() const { return coat_; }
+    [[nodiscard]] Stopwatch& stopwatch() const { return *stopwatch_; }
+    [[nodiscard]] const Energies& start_energies() const { return start_energies_; }
+    /// As of the last step whose history was due.
+    [[nodiscard]] const Energies& energies() const { return energies_; }
+    /// Collective.
+    [[nodiscard]] Totals totals() const;
+
+private:
+    void step_actions(Observer& observer, bool forced);
+    void measure();
+    void check_motion() const;
+
+    const partition::Communicator* comm_;
+    const Scene* scene_;
+    Stopwatch* stopwatch_;
+    CertifiedStep certified_;
+    Dynamics dynamics_;
+    Coat coat_;
+    std::optional<partition::Audit> audit_;
+    Schedule coat_schedule_;
+    Schedule frame_schedule_;
+    Schedule history_schedule_;
+    Energies start_energies_;
+    Energies energies_;
+};
+
+}  // namespace cracksim::simulation

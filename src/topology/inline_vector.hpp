@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace cracksim::topology {
+
+/// A vector whose first N elements live in itself, so that the orbits of a block need no allocation; it may grow
+/// beyond.
+template <class T, std::size_t N>
+class InlineVector {
+    static_assert(std::is_trivially_copyable_v<T>);
+
+public:
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] const T* begin() const { return heap_.empty() ? inline_.data() : heap_.data(); }
+    [[nodiscard]] const T* end() const { return begin() + size_; }
+    [[nodiscard]] const T& operator[](std::size_t i) const { return begin()[i]; }
+    [[nodiscard]] bool contains(const T& value) const { return std::find(begin(), end(), value) != end(); }
+
+    void push_back(T value) {
+        if (size_ < N) {
+            inline_[size_] = value;
+        } else {
+            if (heap_.empty()) {
+                heap_.assign(inline_.begin(), inline_.end());
+            }
+            heap_.push_back(value);
+        }
+        ++size_;
+    }
+    /// Adds a value that is not there yet; linear in the size.
+    void insert(T value) {
+        if (!contains(value)) {
+            push_back(value);
+        }
+    }
+
+private:
+    std::size_t size_{0};
+    std::array<T, N> inline_{};
+    std::vector<T> heap_;
+};
+
+}  // namespace cracksim::topology

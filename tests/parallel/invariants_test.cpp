@@ -1,0 +1,138 @@
+// After every coat of cracking blocks, on any number of ranks: what must hold of the map, the surface and the parts.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+#include "geometry/boundary.hpp"
+#include "geometry/free_faces.hpp"
+#include "geometry/measures.hpp"
+#include "partition/communicator.hpp"
+#include "simulation/scene_reader.hpp"
+#include "simulation/simulation.hpp"
+#include "topology/validity.hpp"
+
+namespace cracksim::simulation {
+namespace {
+
+const partition::Communicator& world() {
+    static const partition::Communicator comm{MPI_COMM_WORLD};
+    return comm;
+}
+
+std::string scene_text(const std::string& partition, const std::string& scheme, int seed) {
+    return "block: {entity: hexahedron, cells: [10, 9, 5], edge: 0.01}\n"
+           "material: {young: 2.0e4, density: 1000, damping: 0.2}\n"
+           "sensors: {threshold: 0.03, weibull: {shape: 4, seed: " +
+           std::to_string(seed) +
+           "}}\n"
+           "initial: {velocity: ['4*(x-0.05)', '3*(y-0.045)*(1+x/0.1)', '0.8*sin(60*x)*cos(50*y)']}\n"
+           "supports: [{name: corner, where: {box: [[-1, -1, -1], [0.011, 0.011, 0.011]]}, velocity: [0, null, 0]}]\n"
+           "time: {end: 0.1, scheme: " +
+           scheme + "}\ncoat: {rate: 400}\noutput: {rate: 0}\npartition: {kind: " + partition + "}\n";
+}
+
+using Labels = IdArray<LocalEntity, EntityId>;
+
+class Invariants : public Observer {
+public:
+    void coat(const Simulation& s, const News&) override {
+        ++coats;
+        map_is_valid(s);
+        faces_are_sewn_exactly_while_corners_share_unions(s);
+        boundaries_are_closed(s, s.coat().components());
+        boundaries_are_closed(s, s.coat().fragments());
+        volumes_add_up(s, s.coat().components(), s.coat().component_count());
+        volumes_add_up(s, s.coat().fragments(), s.coat().fragment_count());
+    }
+
+    int coats{0};
+
+private:
+    void map_is_valid(const Simulation& s) {
+        const auto reason = topology::validate(s.coat().map());
+        EXPECT_FALSE(reason.has_value()) << *reason;
+        EXPECT_EQ(s.coat().map().dart_count(), 48 * static_cast<std::int64_t>(s.dynamics().decomposition().entities.size()));
+    }
+
+    void faces_are_sewn_exactly_while_corners_share_unions(const Simulation& s) {
+        const auto& unions = s.dynamics().state().unions;
+        const auto& map = s.coat().map();
+        for (LocalEntity e{0}; e.value() < map.entity_count(); ++e) {
+            for (int face = 0; s.dynamics().network().owned(e) && face < Hexahedron::faces; ++face) {
+                const auto met = geometry::corners_met(map, e, face);
+                if (!met) {
+                    EXPECT_FALSE(map.is_sewn(e, face));
+                    continue;
+                }
+                bool share = true;
+                for (std::size_t k = 0; k < met->size(); ++k) {
+                    const int corner = Hexahedron::face[static_cast<std::size_t>(face)][k];
+                    share = share && unions.slot(local_mass(e, corner)) == unions.slot((*met)[k]);
+                }
+                EXPECT_EQ(map.is_sewn(e, face), share) << "entity " << s.dynamics().network().entity(e).value() << " face " << face;
+                EXPECT_EQ(s.coat().opened_at(e, face) >= 0, !share);
+            }
+        }
+    }
+
+    void boundaries_are_closed(const Simulation& s, const Labels& labels) {
+        const auto& owned = s.dynamics().decomposition().owned;
+        const auto faces = geometry::free_faces(s.coat().map(), owned.span());
+        if (world().size() == 1) {
+            const auto reason = geometry::validate_closure(s.coat().map(), faces, s.coat().components());
+            EXPECT_FALSE(reason.has_value()) << *reason;
+        }
+        const auto here = geometry::measure_boundaries(faces, labels, s.dynamics().evolution(), Vec3{});
+        std::map<EntityId, geometry::BoundaryMeasure> all;
+        for (const auto& part : world().gather<geometry::BoundaryMeasure>(here)) {
+            const auto [place, is_new] = all.emplace(part.label, part);
+            if (!is_new) {
+                place->second += part;
+            }
+        }
+        for (const auto& [label, boundary] : all) {
+            EXPECT_LT(boundary.open_part(), 1e-12) << "label " << label.value();
+        }
+    }
+
+    void volumes_add_up(const Simulation& s, const Labels& labels, std::int64_t count) {
+        const Block& block = s.scene().block;
+        const double entity_volume = block.volume() / static_cast<double>(block.entity_count());
+        const auto sizes = geometry::label_sizes(labels, s.dynamics().decomposition().owned.span(), entity_volume);
+        std::map<EntityId, std::int64_t> entities;
+        for (const auto& size : world().gather<geometry::LabelSize>(sizes)) {
+            entities[size.label] += size.entities;
+        }
+        if (world().is_root()) {
+            std::int64_t sum = 0;
+            for (const auto& [label, number] : entities) {
+                sum += number;
+            }
+            EXPECT_EQ(sum, block.entity_count());
+            EXPECT_EQ(static_cast<std::int64_t>(entities.size()), count);
+        }
+    }
+};
+
+class CrackingBlock : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(CrackingBlock, KeepsAllInvariantsAfterEveryCoat) {
+    const auto [partition, scheme] = GetParam();
+    const Scene scene = read_scene(scene_text(partition, scheme, 3), "invariants.yaml", {});
+    Stopwatch stopwatch;
+    Simulation simulation{world(), scene, stopwatch};
+    simulation.enable_audit();
+    Invariants invariants;
+    simulation.run(invariants);
+    EXPECT_GT(invariants.coats, 30);
+    EXPECT_GT(simulation.totals().splits, 300);
+    EXPECT_GT(simulation.coat().fragment_count(), 3);
+    EXPECT_GE(simulation.coat().component_count(), simulation.coat().fragment_count());
+}
+
+INSTANTIATE_TEST_SUITE_P(Partitions, CrackingBlock,
+                         testing::Values(std::pair{"metis", "cordis"}, std::pair{"slab", "ab2"}, std::pair{"random", "cordis"}));
+
+}  // namespace
+}  // namespace cracksim::simulation

@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+"""The hashes of events and state do not depend on ranks, partition, audit, rates, prefilter or build."""
+import os
+import random
+
+from runner import check, cracking_scene, frame_cells, last_frame, main, summary
+
+RANKS = (1, 2, 3, 4, 7)
+PARTITIONS = ("metis", "slab")
+
+
+def hashes(directory):
+    result = summary(directory)
+    return result["event_hash"], result["state_hash"]
+
+
+def reference(workplace, scene, least_splits, what):
+    """Hashes on one rank, of a run in which enough happens that they could differ."""
+    directory = workplace.finished(scene)
+    splits = summary(directory)["events"]["splits"]
+    check(splits >= least_splits, f"{what}: only {splits} splits; {least_splits} are needed for a test that can fail")
+    return hashes(directory)
+
+
+def compare(workplace, scene, expected, what, *arguments, ranks=1, binary=None):
+    found = hashes(workplace.finished(scene, *arguments, ranks=ranks, binary=binary))
+    check(found == expected, f"{what}: on {ranks} ranks with {' '.join(arguments) or 'no options'} the hashes are "
+                             f"{found}, not {expected}")
+
+
+def any_ranks_and_partition(workplace, quick):
+    scene = cracking_scene()
+    expected = reference(workplace, scene, 150, "the block")
+    for ranks in (3,) if quick else RANKS:
+        for partition in PARTITIONS:
+            compare(workplace, scene, expected, "the block", "--set", f"partition.kind={partition}", ranks=ranks)
+            compare(workplace, scene, expected, "the block, audited", "--audit", "--set",
+                    f"partition.kind={partition}", ranks=ranks)
+
+
+def hashes_tell_runs_apart(workplace, quick):
+    del quick
+    events, state = hashes(workplace.finished(cracking_scene()))
+    other_seed = cracking_scene(sensors={"threshold": 0.02, "weibull": {"shape": 8, "seed": 2}})
+    other_events, other_state = hashes(workplace.finished(other_seed))
+    check(events != other_events and state != other_state, "another seed of the thresholds gives the same hashes")
+    intact = cracking_scene(sensors={"threshold": 1e3})
+    _, still = hashes(workplace.finished(intact))
+    check(still != state, "an intact block gives the state hash of a broken one")
+
+
+def any_rates(workplace, quick):
+    expected = reference(workplace, cracking_scene(), 150, "the block")
+    for ranks, key, rate in ((1, "coat", 7), (2, "coat", 1000), (3, "output", 7), (2, "output", 333), (1, "history", 11),
+                             (3, "history", 1500))[:2 if quick else None]:
+        compare(workplace, cracking_scene(), expected, f"{key}.rate {rate}", "--set", f"{key}.rate={rate}", ranks=ranks)
+
+
+def prefilter_on_and_off(workplace, quick):
+    expected = reference(workplace, cracking_scene(), 150, "the block")
+    for ranks in (2,) if quick else (1, 2, 3):
+        compare(workplace, cracking_scene(), expected, "no prefilter", "--set", "sensors.prefilter=false", ranks=ranks)
+
+
+def scheme_ab2_with_supports(workplace, quick):
+    scene = cracking_scene(
+        supports=[{"name": "left", "where": {"box": [[-1, -1, -1], [0.005, 1, 1]]}, "velocity": [0, 0, None]},
+                  {"name": "right", "where": {"box": [[0.075, -1, -1], [1, 1, 1]]}, "velocity": ["0.3*(1+t)", 0, 0]}],
+        time={"end": 0.06, "scheme": "ab2"})
+    expected = reference(workplace, scene, 100, "ab2 with supports")
+    for ranks in (3,) if quick else RANKS[1:]:
+        for partition in PARTITIONS:
+            compare(workplace, scene, expected, "ab2 with supports", "--audit", "--set",
+                    f"partition.kind={partition}", ranks=ranks)
+
+
+def ranks_without_an_entity(workplace, quick):
+    scene = cracking_scene(block={"entity": "hexahedron", "cells": [3, 1, 1], "edge": 0.01, "origin": [0, 0, 0]},
+                           initial={"velocity": ["100*(x-0.015)", 0, 0]})
+    expected = reference(workplace, scene, 8, "three entities")
+    for ranks in (4,) if quick else (2, 3, 4, 7):
+        for partition in PARTITIONS:
+            compare(workplace, scene, expected, "three entities", "--audit", "--set", f"partition.kind={partition}",
+                    ranks=ranks)
+
+
+def random_scene(generator):
+    cells = [generator.randint(2, 12) for _ in range(2)] + [generator.randint(1, 5)]
+    length = [0.01 * n for n in cells]
+    rate = generator.uniform(10, 40)
+    velocity = [f"{rate}*({axis}-{generator.uniform(0.2, 0.8) * size})+{generator.uniform(-0.3, 0.3)}*sin(90*{other})"
+                for axis, other, size in zip("xyz", "yzx", length)]
+    return cracking_scene(
+        block={"entity": "hexahedron", "cells": cells, "edge": 0.01, "origin": [generator.uniform(-0.1, 0.1), 0, 0]},
+        material={"young": generator.uniform(5e3, 5e4), "density": 1000, "damping": generator.uniform(0.05, 0.6)},
+        sensors={"threshold": generator.uniform(0.005, 0.04),
+                 "weibull": {"shape": generator.uniform(3, 15), "seed": generator.randint(0, 2**31)}},
+        initial={"velocity": velocity},
+        time={"end": 0.03, "scheme": generator.choice(["cordis", "ab2"])},
+        coat={"rate": generator.choice([20, 100, 900])})
+
+
+def random_scenes(workplace, quick):
+    seed = int(os.environ.get("CRACKSIM_SEED", random.SystemRandom().randint(0, 2**31)))
+    print(f"random scenes of CRACKSIM_SEED={seed}", flush=True)
+    generator = random.Random(seed)
+    for number in range(1 if quick else 4):
+        scene = random_scene(generator)
+        what = f"scene {number} of CRACKSIM_SEED={seed}"
+        expected = reference(workplace, scene, 1, what)
+        compare(workplace, scene, expected, what, "--audit", ranks=generator.choice(RANKS[1:]))
+        compare(workplace, scene, expected, what, "--set", "partition.kind=slab", ranks=generator.choice(RANKS[1:]))
+
+
+def frames_do_not_depend_on_ranks(workplace, quick):
+    del quick
+    expected = {}
+    for ranks in (1, 2, 3):
+        directory = workplace.finished(cracking_scene(), ranks=ranks)
+        for kind in ("surface", "crack"):
+            frame = last_frame(directory, kind)
+            found = (frame.name, *frame_cells(frame))
+            check(len(found[2]) > 50, f"the last {kind} frame has only {len(found[2])} cells")
+            check(found == expected.setdefault(kind, found), f"the last {kind} frame on {ranks} ranks is not that on 1")
+
+
+def release_and_second_build_agree(workplace, quick):
+    second = os.environ.get("CRACKSIM_SECOND_BINARY")
+    if quick or not second:
+        print("no second build in CRACKSIM_SECOND_BINARY to compare with", flush=True)
+        return
+    for scheme in ("cordis", "ab2"):
+        scene = cracking_scene(time={"end": 0.06, "scheme": scheme})
+        expected = reference(workplace, scene, 150, scheme)
+        for ranks in (1, 2, 7):
+            compare(workplace, scene, expected, f"{second}, {scheme}", "--audit", ranks=ranks, binary=second)
+
+
+if __name__ == "__main__":
+    main([any_ranks_and_partition, hashes_tell_runs_apart, any_rates, prefilter_on_and_off, scheme_ab2_with_supports,
+          ranks_without_an_entity, random_scenes, frames_do_not_depend_on_ranks, release_and_second_build_agree])

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+#include "physics/state.hpp"
+
+namespace cracksim::test {
+
+/// Random displacements and increments of all unions, each component uniform within +-size.
+inline void shake(physics::State& state, double size, std::uint64_t seed) {
+    std::mt19937_64 random{seed};
+    std::uniform_real_distribution<double> value{-size, size};
+    for (physics::Slot s = state.unions.first_advanced(); s < state.unions.end(); ++s) {
+        state.displacement.set(s.index(), {value(random), value(random), value(random)});
+        state.increment.set(s.index(), {value(random), value(random), value(random)});
+    }
+}
+
+}  // namespace cracksim::test

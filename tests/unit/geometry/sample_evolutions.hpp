@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cmath>
+
+#include "core/block.hpp"
+#include "physics/evolution.hpp"
+
+namespace cracksim::geometry::sample {
+
+inline physics::Evolution at_rest(const Block& block) {
+    const auto masses = static_cast<std::size_t>(block.mass_count());
+    physics::Evolution evolution{IdArray<LocalMass, Vec3>(masses), IdArray<LocalMass, Vec3>(masses)};
+    for (EntityId e{0}; e.value() < block.entity_count(); ++e) {
+        for (int c = 0; c < Hexahedron::corners; ++c) {
+            evolution.rest[LocalMass{static_cast<std::int32_t>(mass_id(e, c).value())}] = block.position(e, c);
+        }
+    }
+    return evolution;
+}
+
+/// Adds a displacement that is a function of the rest position, so that all masses of a vertex stay together.
+template <class Field>
+void displace(physics::Evolution& evolution, const Field& field) {
+    for (std::size_t m = 0; m < evolution.rest.size(); ++m) {
+        const LocalMass mass{static_cast<std::int32_t>(m)};
+        evolution.displacement[mass] += field(evolution.rest[mass]);
+    }
+}
+
+/// Twisted and bent, so that no face is plane.
+inline Vec3 wavy(Vec3 p) {
+    return {0.03 * std::sin(3 * p.y + p.z), 0.05 * std::cos(4 * p.x - p.z), 0.04 * std::sin(5 * p.x * p.y)};
+}
+
+}  // namespace cracksim::geometry::sample

@@ -1,0 +1,167 @@
+#include "io/frame_writer.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+
+#include "io/file_error.hpp"
+#include "io/hdf5.hpp"
+#include "unit/io/scratch.hpp"
+#include "unit/io/strip_mesh.hpp"
+
+namespace cracksim::io {
+namespace {
+
+/// Both ways of writing: gathered on the root, and by all ranks at once (a limit of 0 bytes).
+class FrameWriting : public testing::TestWithParam<std::int64_t> {
+protected:
+    void SetUp() override {
+        if (world().is_root()) {
+            std::filesystem::create_directory(scratch_ / "frames");
+        }
+        world().barrier();
+    }
+    [[nodiscard]] hdf5::File frame(const std::string& file) const { return {scratch_ / file, hdf5::Access::read}; }
+
+    Scratch scratch_;
+    FrameWriter surface_{world(), scratch_.path(), "surface", GetParam()};
+};
+
+std::string way(const testing::TestParamInfo<std::int64_t>& info) {
+    return info.param == 0 ? "ByAllRanks" : "ByTheRoot";
+}
+
+INSTANTIATE_TEST_SUITE_P(Frames, FrameWriting, testing::Values(0, FrameWriter::default_gather_below), way);
+
+TEST_P(FrameWriting, DatasetsAreTheWholeMeshOnAnyNumberOfRanks) {
+    constexpr std::int64_t cells = 11;
+    const FrameRecord record = surface_.write(strip_mesh(world(), cells, 0.5), 7, 0.125);
+    const hdf5::File file = frame(record.file);
+    const std::vector<Vec3> points = file.read<Vec3>("/VTKHDF/Points");
+    const auto connectivity = file.read<std::int64_t>("/VTKHDF/Connectivity");
+    const auto offsets = file.read<std::int64_t>("/VTKHDF/Offsets");
+    const auto opening = file.read<double>("/VTKHDF/CellData/opening");
+    ASSERT_EQ(points.size(), 2U * (cells + 1));
+    ASSERT_EQ(connectivity.size(), 4U * cells);
+    ASSERT_EQ(offsets.size(), cells + 1U);
+    EXPECT_EQ(points[9], (Vec3{4, 1, 8}));
+    EXPECT_EQ(file.read<std::uint8_t>("/VTKHDF/Types"), std::vector<std::uint8_t>(cells, 9));
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        const auto c = static_cast<std::int64_t>(cell);
+        EXPECT_EQ(connectivity[4 * cell + 2], 2 * c + 3);
+        EXPECT_EQ(offsets[cell + 1], 4 * (c + 1));
+        EXPECT_EQ(file.read<std::int64_t>("/VTKHDF/CellData/entity")[cell], 1000 + c);
+        EXPECT_EQ(opening[cell], 0.1 * static_cast<double>(c));
+    }
+}
+
+TEST_P(FrameWriting, SizesStepAndTimeStandInTheFile) {
+    const FrameRecord record = surface_.write(strip_mesh(world(), 3, 0), 7, 0.1);
+    const hdf5::File file = frame(record.file);
+    EXPECT_EQ(file.text_attribute("/VTKHDF", "Type"), "UnstructuredGrid");
+    EXPECT_EQ(file.integer_attribute("/VTKHDF", "Version"), (std::vector<std::int64_t>{1, 0}));
+    EXPECT_EQ(file.read<std::int64_t>("/VTKHDF/NumberOfPoints"), std::vector<std::int64_t>{8});
+    EXPECT_EQ(file.read<std::int64_t>("/VTKHDF/NumberOfCells"), std::vector<std::int64_t>{3});
+    EXPECT_EQ(file.read<std::int64_t>("/VTKHDF/NumberOfConnectivityIds"), std::vector<std::int64_t>{12});
+    EXPECT_EQ(file.read<std::int64_t>("/VTKHDF/FieldData/Step"), std::vector<std::int64_t>{7});
+    EXPECT_EQ(file.read<double>("/VTKHDF/FieldData/TimeValue"), std::vector<double>{0.1});
+}
+
+TEST_P(FrameWriting, RecordSaysWhatWasWritten) {
+    const FrameRecord record = surface_.write(strip_mesh(world(), 5, 0), 42, 0.5);
+    EXPECT_TRUE(record.written());
+    EXPECT_EQ(record.file, "frames/surface-000000.hdf");
+    EXPECT_EQ(record.step, 42);
+    EXPECT_EQ(record.time, 0.5);
+    EXPECT_EQ(record.faces, 5);
+    EXPECT_EQ(record.points, 12);
+}
+
+TEST_P(FrameWriting, FrameWithoutACellIsLeftOut) {
+    EXPECT_FALSE(surface_.write(strip_mesh(world(), 0, 0), 0, 0).written());
+    EXPECT_FALSE(surface_.write(geometry::Mesh{}, 0, 0).written());
+    EXPECT_TRUE(std::filesystem::is_empty(scratch_ / "frames"));
+    EXPECT_FALSE(std::filesystem::exists(scratch_ / "surface.xdmf"));
+    EXPECT_EQ(surface_.write(strip_mesh(world(), 1, 0), 1, 0.1).file, "frames/surface-000000.hdf");
+    EXPECT_EQ(surface_.series().frames.size(), 1U);
+}
+
+TEST_P(FrameWriting, OneRankMayHoldTheWholeMeshAndTheOthersADefaultOne) {
+    partition::Communicator alone{MPI_COMM_SELF};
+    const bool last = world().rank().value() == world().size() - 1;
+    FrameWriter masses{world(), scratch_.path(), "masses", GetParam()};
+    const FrameRecord record = masses.write(last ? point_mesh(alone, 4) : geometry::Mesh{}, 0, 0);
+    const hdf5::File file = frame(record.file);
+    EXPECT_EQ(file.read<std::uint8_t>("/VTKHDF/Types"), std::vector<std::uint8_t>(4, 1));
+    EXPECT_EQ(file.read<std::int64_t>("/VTKHDF/Connectivity"), (std::vector<std::int64_t>{0, 1, 2, 3}));
+    EXPECT_EQ(file.read<std::int64_t>("/VTKHDF/Offsets"), (std::vector<std::int64_t>{0, 1, 2, 3, 4}));
+    EXPECT_EQ(file.read<double>("/VTKHDF/CellData/speed"), (std::vector<double>{0, 1, 2, 3}));
+}
+
+TEST_P(FrameWriting, IndexesListAllFramesWithTheirTimesAndSizes) {
+    surface_.write(strip_mesh(world(), 2, 0), 0, 0);
+    surface_.write(strip_mesh(world(), 0, 0), 5, 0.05);
+    surface_.write(strip_mesh(world(), 3, 0), 10, 0.1);
+    const nlohmann::json series = nlohmann::json::parse(text_of(scratch_ / "surface.hdf.series"));
+    ASSERT_EQ(series["files"].size(), 2U);
+    EXPECT_EQ(series["files"][1]["name"], "frames/surface-000001.hdf");
+    EXPECT_EQ(series["files"][1]["time"], 0.1);
+    pugi::xml_document xdmf;
+    ASSERT_TRUE(xdmf.load_file((scratch_ / "surface.xdmf").c_str()));
+    const auto grids = xdmf.select_nodes("/Xdmf/Domain/Grid[@CollectionType='Temporal']/Grid");
+    ASSERT_EQ(grids.size(), 2U);
+    EXPECT_EQ(grids[1].node().child("Time").attribute("Value").as_double(), 0.1);
+    const pugi::xml_node connectivity = grids[1].node().child("Topology").child("DataItem");
+    EXPECT_STREQ(connectivity.attribute("Dimensions").value(), "12");
+    EXPECT_STREQ(connectivity.text().get(), "frames/surface-000001.hdf:/VTKHDF/Connectivity");
+}
+
+TEST_P(FrameWriting, NothingUnfinishedStays) {
+    surface_.write(strip_mesh(world(), 2, 0), 0, 0);
+    EXPECT_FALSE(has_unfinished(scratch_.path()));
+}
+
+TEST_P(FrameWriting, FieldOfAnotherLengthIsRefusedOnAllRanks) {
+    geometry::Mesh mesh = strip_mesh(world(), 7, 0);
+    if (world().rank().value() == world().size() - 1) {
+        std::get<std::vector<double>>(mesh.fields[1].values).pop_back();
+    }
+    EXPECT_THROW(surface_.write(mesh, 0, 0), FileError);
+}
+
+/// A limit on the size of files makes writes fail half-way, as a full disk does, without a disk of its own.
+class FileSizeLimit {
+public:
+    explicit FileSizeLimit(rlim_t bytes) {
+        std::signal(SIGXFSZ, SIG_IGN);
+        getrlimit(RLIMIT_FSIZE, &before_);
+        struct rlimit limit = before_;
+        limit.rlim_cur = bytes;
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
+    FileSizeLimit(const FileSizeLimit&) = delete;
+    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+private:
+    struct rlimit before_ {};
+};
+
+TEST_P(FrameWriting, FailedWriteThrowsOnAllRanksAndLeavesTheSeriesAsItWas) {
+    surface_.write(strip_mesh(world(), 2, 0), 0, 0);
+    const geometry::Mesh mesh = strip_mesh(world(), 20000, 0);
+    {
+        const FileSizeLimit limit{200000};
+        EXPECT_THROW(surface_.write(mesh, 1, 1), FileError);
+    }
+    world().barrier();
+    EXPECT_FALSE(has_unfinished(scratch_.path()));
+    EXPECT_EQ(surface_.series().frames.size(), 1U);
+    EXPECT_EQ(surface_.write(mesh, 2, 2).file, "frames/surface-000001.hdf");
+}
+
+}  // namespace
+}  // namespace cracksim::io

@@ -1,0 +1,130 @@
+#include "io/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "unit/io/scratch.hpp"
+
+namespace cracksim::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+TEST(Summary, HasTheKeysThatUsersRelyOn) {
+    const Json json = Json::parse(summary_text({}));
+    for (const char* pointer : {"/status",
+                                "/bitwise",
+                                "/provenance/version",
+                                "/provenance/git",
+                                "/provenance/compiler",
+                                "/provenance/flags",
+                                "/provenance/libraries",
+                                "/provenance/cpu",
+                                "/provenance/simd_target",
+                                "/provenance/ranks",
+                                "/provenance/host",
+                                "/provenance/seed",
+                                "/provenance/input_digest",
+                                "/counts/entities",
+                                "/counts/masses",
+                                "/counts/interactions",
+                                "/counts/duplets",
+                                "/counts/unions",
+                                "/counts/darts",
+                                "/counts/interior_faces",
+                                "/time/scheme",
+                                "/time/step",
+                                "/time/bound",
+                                "/time/bound_cause",
+                                "/time/steps",
+                                "/time/end",
+                                "/events/duplets",
+                                "/events/splits",
+                                "/event_hash",
+                                "/state_hash",
+                                "/fragments",
+                                "/components",
+                                "/crack_area",
+                                "/energy/kinetic",
+                                "/energy/elastic",
+                                "/energy/dissipated",
+                                "/energy/external",
+                                "/energy/residual",
+                                "/seconds/total",
+                                "/seconds/setup",
+                                "/seconds/force",
+                                "/seconds/update",
+                                "/seconds/sense",
+                                "/seconds/exchange",
+                                "/seconds/topology",
+                                "/seconds/geometry",
+                                "/seconds/output",
+                                "/steps_per_second",
+                                "/times_real_time",
+                                "/memory/per_rank_max",
+                                "/memory/per_entity",
+                                "/memory/map_per_entity",
+                                "/exchange/bytes_per_step",
+                                "/exchange/neighbours_max",
+                                "/largest_fragments",
+                                "/frames"}) {
+        EXPECT_TRUE(json.contains(Json::json_pointer{pointer})) << pointer;
+    }
+    EXPECT_FALSE(json.contains("invalid"));
+}
+
+TEST(Summary, HashesAreSixteenHexDigits) {
+    Summary summary;
+    summary.event_hash = 0xabcULL;
+    summary.state_hash = std::numeric_limits<std::uint64_t>::max();
+    const Json json = Json::parse(summary_text(summary));
+    EXPECT_EQ(json["event_hash"], "0000000000000abc");
+    EXPECT_EQ(json["state_hash"], "ffffffffffffffff");
+}
+
+TEST(Summary, NumbersThatAreNotFiniteAreNull) {
+    Summary summary;
+    summary.energy.kinetic = std::numeric_limits<double>::quiet_NaN();
+    summary.energy.elastic = std::numeric_limits<double>::infinity();
+    const Json json = Json::parse(summary_text(summary));
+    EXPECT_TRUE(json["energy"]["kinetic"].is_null());
+    EXPECT_TRUE(json["energy"]["elastic"].is_null());
+    EXPECT_EQ(json["energy"]["external"], 0.0);
+}
+
+TEST(Summary, InvalidRunNamesStepMassAndCause) {
+    Summary summary;
+    summary.status = Status::invalid;
+    summary.invalid = {.step = 12, .mass = MassId{34}, .cause = "the step is above its bound"};
+    const Json json = Json::parse(summary_text(summary));
+    EXPECT_EQ(json["status"], "invalid");
+    EXPECT_EQ(json["invalid"], (Json{{"step", 12}, {"mass", 34}, {"cause", "the step is above its bound"}}));
+}
+
+TEST(Summary, FramesAreListedBySeries) {
+    Summary summary;
+    summary.frames = {
+        {"surface", {{.file = "frames/surface-000000.hdf", .step = 1, .time = 0.5, .faces = 6, .points = 8}}},
+        {"crack", {}}};
+    summary.largest_fragments = {{EntityId{5}, 0.25}};
+    const Json json = Json::parse(summary_text(summary));
+    EXPECT_EQ(json["frames"]["surface"][0]["faces"], 6);
+    EXPECT_EQ(json["frames"]["surface"][0]["file"], "frames/surface-000000.hdf");
+    EXPECT_TRUE(json["frames"]["crack"].is_array());
+    EXPECT_EQ(json["largest_fragments"][0]["volume_share"], 0.25);
+}
+
+TEST(Summary, FileIsReplacedWhole) {
+    const Scratch scratch;
+    if (world().is_root()) {
+        write_summary(scratch / "summary.json", {});
+        write_summary(scratch / "summary.json", {});
+        EXPECT_EQ(text_of(scratch / "summary.json"), summary_text({}));
+        EXPECT_FALSE(has_unfinished(scratch.path()));
+    }
+}
+
+}  // namespace
+}  // namespace cracksim::io

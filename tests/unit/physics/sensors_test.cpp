@@ -1,0 +1,82 @@
+#include "physics/sensors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "physics/force_sweep.hpp"
+#include "support/random_state.hpp"
+#include "support/serial_network.hpp"
+
+namespace cracksim::physics {
+namespace {
+
+TEST(Prefilter, FindsWhatAllSensorsFindInRandomStates) {
+    std::size_t found = 0;
+    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+        test::SerialBlock block;
+        block.cells = {5, 4, 3};
+        block.edge = seed % 2 == 0 ? Vec3{1, 1, 1} : Vec3{1, 0.8, 1.7};
+        block.thresholds.weibull = Weibull{3, seed};
+        const double size = std::pow(10.0, -1.0 - static_cast<double>(seed % 12));
+        block.thresholds.field = [size](Vec3) { return 1.2 * size; };
+        const Network network = block.network();
+        State state{network, Scheme::cordis, 0.3};
+        test::shake(state, size, seed);
+        accumulate_forces(network, state, Measure::nothing);
+        const auto with = sense(network, state, Prefilter::on);
+        EXPECT_EQ(with, sense(network, state, Prefilter::off)) << "seed " << seed;
+        found += with.size();
+    }
+    EXPECT_GT(found, 1000U);
+}
+
+TEST(Prefilter, MissesNothingAtThresholdsOneUlpAway) {
+    for (int ulps = -3; ulps <= 3; ++ulps) {
+        const double stretch = 0.0123456789;
+        double threshold = stretch;
+        for (int i = 0; i < std::abs(ulps); ++i) {
+            threshold = std::nextafter(threshold, ulps < 0 ? 0.0 : 1.0);
+        }
+        test::SerialBlock block;
+        block.cells = {6, 2, 2};
+        block.thresholds.field = [threshold](Vec3) { return threshold; };
+        const Network network = block.network();
+        State state{network, Scheme::cordis, 0.3};
+        for (Slot s = state.unions.first_advanced(); s < state.unions.end(); ++s) {
+            state.displacement.set(s.index(), {stretch * network.rest_position(state.unions.smallest_mass(s)).x, 0, 0});
+        }
+        accumulate_forces(network, state, Measure::nothing);
+        EXPECT_EQ(sense(network, state, Prefilter::on), sense(network, state, Prefilter::off)) << ulps << " ulps";
+    }
+}
+
+TEST(Sensor, TriggersAcrossTheStretchedFaceOnly) {
+    test::SerialBlock block;
+    block.cells = {2, 2, 1};
+    const Network network = block.network();
+    State state{network, Scheme::cordis, 0.3};
+    for (Slot s = state.unions.first_advanced(); s < state.unions.end(); ++s) {
+        state.displacement.set(s.index(), {0.021 * network.rest_position(state.unions.smallest_mass(s)).x, 0, 0});
+    }
+    accumulate_forces(network, state, Measure::nothing);
+    const auto triggered = sense(network, state, Prefilter::on);
+    EXPECT_EQ(triggered.size(), 8U);
+    for (const LocalDuplet d : triggered) {
+        EXPECT_EQ(network.interfaces()[static_cast<std::size_t>(d.value() / 4)].face_a / 2, 0);
+    }
+}
+
+TEST(Sensor, NeverTriggersAtAnInfiniteThreshold) {
+    test::SerialBlock block;
+    block.thresholds.field = [](Vec3) { return std::numeric_limits<double>::infinity(); };
+    const Network network = block.network();
+    State state{network, Scheme::cordis, 0.3};
+    test::shake(state, 5, 3);
+    accumulate_forces(network, state, Measure::nothing);
+    EXPECT_TRUE(sense(network, state, Prefilter::on).empty());
+    EXPECT_TRUE(sense(network, state, Prefilter::off).empty());
+}
+
+}  // namespace
+}  // namespace cracksim::physics

@@ -1,0 +1,36 @@
+#include "simulation/schedule.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace cracksim::simulation {
+namespace {
+
+std::vector<std::int64_t> due_steps(double rate, double step_size, std::int64_t steps) {
+    std::vector<std::int64_t> due;
+    const Schedule schedule{rate, step_size};
+    for (std::int64_t n = 0; n <= steps; ++n) {
+        if (schedule.is_due(n)) {
+            due.push_back(n);
+        }
+    }
+    return due;
+}
+
+TEST(Schedule, IsDueAtTheFirstStepAtOrAfterEachTick) {
+    EXPECT_EQ(due_steps(50, 1.0 / 1050, 1050).size(), 51U);
+    for (const std::int64_t n : due_steps(50, 1.0 / 1050, 1050)) {
+        EXPECT_EQ(n % 21, 0);
+    }
+    EXPECT_EQ(due_steps(10, 0.03, 14), (std::vector<std::int64_t>{0, 4, 7, 10, 14}));
+}
+
+TEST(Schedule, IsNeverDueAtRateZeroAndAtEveryStepAtAHighRate) {
+    EXPECT_TRUE(due_steps(0, 0.1, 100).empty());
+    EXPECT_EQ(due_steps(1000, 0.1, 100).size(), 101U);
+}
+
+}  // namespace
+}  // namespace cracksim::simulation

@@ -1,0 +1,128 @@
+// Laws that a cracking block keeps through a thousand splits and more.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <iostream>
+
+#include "physics/advance.hpp"
+#include "physics/energies.hpp"
+#include "physics/force_sweep.hpp"
+#include "physics/sensors.hpp"
+#include "physics/split.hpp"
+#include "support/linear_invariant.hpp"
+#include "support/serial_network.hpp"
+
+namespace cracksim::physics {
+namespace {
+
+/// Runs a block from an initial velocity; after(state) follows each step's splits. Returns the number of splits.
+std::size_t run(const test::SerialBlock& block, const std::function<Vec3(Vec3)>& velocity, double step_size, double end,
+                const std::function<void(const Network&, const State&)>& after) {
+    const Network network = block.network();
+    State state{network, Scheme::cordis, step_size};
+    start(network, {[](Vec3) { return Vec3{}; }, velocity}, state);
+    std::size_t splits = 0;
+    for (double t = 0; t < end; t += step_size) {
+        accumulate_forces(network, state, Measure::elastic_energy);
+        SplitStream stream;
+        splits += split(network, sense(network, state, Prefilter::on), state, stream);
+        after(network, state);
+        advance(network, state);
+    }
+    return splits;
+}
+
+test::SerialBlock cracking_block(double threshold, double beta) {
+    test::SerialBlock block;
+    block.cells = {12, 12, 6};
+    block.edges = {0.2, 0.2 * beta};
+    block.diagonals = {0.3, 0.3 * beta};
+    block.thresholds = {[threshold](Vec3) { return threshold; }, Weibull{4, 1}};
+    return block;
+}
+
+/// Stretching along x and y and some shear, of a given strain rate.
+std::function<Vec3(Vec3)> expansion(double rate) {
+    return [rate](Vec3 x) {
+        return Vec3{rate * (x.x - 6) + 0.3 * rate * x.y, rate * (x.y - 6) * (1 + 0.1 * x.x), rate * 0.5 * (x.z - 3) * (x.x - 6) / 6};
+    };
+}
+
+double total_mass(const Network& network) { return network.mass_count() * network.model().corner_mass; }
+
+/// Momentum and angular momentum of the leapfrog, sum of M x(n) x w(n)/dt, which central forces keep exactly.
+std::array<Vec3, 2> momenta(const Network& network, const State& state) {
+    Vec3 linear;
+    Vec3 angular;
+    for (Slot s = state.unions.first_advanced(); s < state.unions.end(); ++s) {
+        const double mass = state.step_size * state.step_size / state.mobility[s.index()];
+        const Vec3 x = network.rest_position(state.unions.smallest_mass(s)) + state.displacement[s.index()];
+        const Vec3 p = (mass / state.step_size) * state.increment[s.index()];
+        linear += p;
+        angular += cross(x, p);
+    }
+    return {linear, angular};
+}
+
+TEST(Momentum, AndAngularMomentumStayConstantThroughSplits) {
+    const double rate = 0.02;
+    std::array<Vec3, 2> first{};
+    double drift = 0;
+    bool begun = false;
+    const std::size_t splits =
+        run(cracking_block(0.03, 0.2), expansion(rate), 0.4, 60, [&](const Network& network, const State& state) {
+            const auto now = momenta(network, state);
+            first = begun ? first : now;
+            begun = true;
+            const double scale = total_mass(network) * rate * 6;
+            drift = std::max({drift, norm(now[0] - first[0]) / scale, norm(now[1] - first[1]) / (scale * 12)});
+        });
+    std::cout << splits << " splits, relative drift " << drift << '\n';
+    EXPECT_GE(splits, 1000U);
+    EXPECT_LT(drift, 1e-13);
+}
+
+TEST(LinearInvariant, NeverGrowsThroughSplits) {
+    // Strains of 1e-15 and rotations of 1e-13: the network is linear to that many digits, and its thresholds are as small.
+    const double scale = 1e-15;
+    for (const double beta : {0.0, 0.02, 0.2}) {
+        double lowest = std::numeric_limits<double>::infinity();
+        double first = 0;
+        double growth = 0;
+        const std::size_t splits = run(cracking_block(1.5 * scale, beta), expansion(scale), 0.4, 100,
+                                       [&](const Network& network, const State& state) {
+                                           const double now = test::linear_invariant(network, state);
+                                           first = first == 0 ? now : first;
+                                           lowest = std::min(lowest, now);
+                                           growth = std::max(growth, (now - lowest) / first);
+                                       });
+        std::cout << "beta " << beta << ": " << splits << " splits, relative growth " << growth << ", left " << lowest / first << '\n';
+        EXPECT_GE(splits, 1000U);
+        EXPECT_LT(growth, 1e-12);
+        EXPECT_GT(lowest, 0);
+    }
+}
+
+TEST(Energy, OfAnUndampedBlockOscillatesInABandOfSecondOrder) {
+    const auto band = [](double step_size) {
+        double low = std::numeric_limits<double>::infinity();
+        double high = 0;
+        const std::size_t splits = run(cracking_block(0.01, 0), expansion(0.01), step_size, 30,
+                                       [&](const Network& network, const State& state) {
+                                           const double energy = kinetic_energy(network, state) + state.elastic;
+                                           low = std::min(low, energy);
+                                           high = std::max(high, energy);
+                                       });
+        EXPECT_GE(splits, 1000U);
+        std::cout << "dt " << step_size << ": " << splits << " splits, band " << (high - low) / high << '\n';
+        return (high - low) / high;
+    };
+    const double coarse = band(0.1);
+    const double fine = band(0.05);
+    EXPECT_GT(coarse / fine, 3.5);
+    EXPECT_LT(coarse / fine, 4.5);
+}
+
+}  // namespace
+}  // namespace cracksim::physics
