@@ -124,7 +124,7 @@ Expression::Expression(double constant)
 
 Expression::Expression(std::string text) : text_{std::move(text)} {
     if (const auto number = to_number(text_)) {
-        constant_ = *number;
+        *this = Expression{*number};
         return;
     }
     const auto explain = [&](const std::string& why) {

@@ -17,7 +17,8 @@ namespace cracksim::partition {
 
 /// A mass as one rank sees it.
 struct MassView {
-    std::int64_t mass_union;    ///< smallest global mass id of its union; -1 where this rank does not know (received masses)
+    std::int64_t
+        mass_union;  ///< smallest global mass id of its union; -1 where this rank does not know (received masses)
     std::uint64_t motion_hash;  ///< of the bits of its displacement and increments
 };
 

@@ -94,7 +94,8 @@ std::vector<std::byte> Communicator::gather_bytes(std::span<const std::byte> byt
     return all;
 }
 
-std::vector<std::vector<std::byte>> Communicator::exchange_bytes(std::span<const std::span<const std::byte>> outgoing) const {
+std::vector<std::vector<std::byte>> Communicator::exchange_bytes(
+    std::span<const std::span<const std::byte>> outgoing) const {
     const auto ranks = static_cast<std::size_t>(size_);
     std::vector<int> send_counts(ranks);
     std::vector<int> receive_counts(ranks);
@@ -108,8 +109,8 @@ std::vector<std::vector<std::byte>> Communicator::exchange_bytes(std::span<const
     const std::vector<int> receive_offsets = offsets_of(receive_counts);
     std::vector<std::byte> received(static_cast<std::size_t>(receive_offsets.back()) +
                                     static_cast<std::size_t>(receive_counts.back()));
-    MPI_Alltoallv(send.data(), send_counts.data(), send_offsets.data(), MPI_BYTE, received.data(), receive_counts.data(),
-                  receive_offsets.data(), MPI_BYTE, comm_);
+    MPI_Alltoallv(send.data(), send_counts.data(), send_offsets.data(), MPI_BYTE, received.data(),
+                  receive_counts.data(), receive_offsets.data(), MPI_BYTE, comm_);
     std::vector<std::vector<std::byte>> incoming(ranks);
     for (std::size_t r = 0; r < ranks; ++r) {
         const auto begin = received.begin() + receive_offsets[r];

@@ -74,7 +74,8 @@ private:
     }
     static void copy_bytes(std::span<const std::byte> from, void* to);
     [[nodiscard]] std::vector<std::byte> gather_bytes(std::span<const std::byte> bytes) const;
-    [[nodiscard]] std::vector<std::vector<std::byte>> exchange_bytes(std::span<const std::span<const std::byte>> outgoing) const;
+    [[nodiscard]] std::vector<std::vector<std::byte>> exchange_bytes(
+        std::span<const std::span<const std::byte>> outgoing) const;
 
     MPI_Comm comm_;
     Rank rank_;

@@ -25,9 +25,7 @@ std::vector<Rank> owners_on_all_ranks(const Communicator& comm, const Block& blo
 
 }  // namespace
 
-std::int64_t Decomposition::owned_count() const {
-    return std::accumulate(owned.begin(), owned.end(), std::int64_t{0});
-}
+std::int64_t Decomposition::owned_count() const { return std::accumulate(owned.begin(), owned.end(), std::int64_t{0}); }
 
 Decomposition decompose(const Communicator& comm, const Block& block, const Partitioner& partitioner) {
     const std::vector<Rank> owner = owners_on_all_ranks(comm, block, partitioner);

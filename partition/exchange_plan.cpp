@@ -74,8 +74,8 @@ private:
         }
         MPI_Datatype unit = MPI_DATATYPE_NULL;
         const bool doubles = bytes % sizeof(double) == 0;
-        MPI_Type_contiguous(static_cast<int>(doubles ? bytes / sizeof(double) : bytes), doubles ? MPI_DOUBLE : MPI_UNSIGNED_CHAR,
-                            &unit);
+        MPI_Type_contiguous(static_cast<int>(doubles ? bytes / sizeof(double) : bytes),
+                            doubles ? MPI_DOUBLE : MPI_UNSIGNED_CHAR, &unit);
         MPI_Type_commit(&unit);
         units_.emplace(bytes, unit);
         return unit;

@@ -57,8 +57,8 @@ std::vector<Rank> partition_by_metis(const Block& block, int ranks) {
     METIS_SetDefaultOptions(options);
     options[METIS_OPTION_SEED] = 1;
     const int outcome =
-        METIS_PartGraphRecursive(&entities, &constraints, graph.offsets.data(), graph.neighbours.data(), nullptr, nullptr,
-                                 nullptr, &parts, nullptr, nullptr, options, &cut, part.data());
+        METIS_PartGraphRecursive(&entities, &constraints, graph.offsets.data(), graph.neighbours.data(), nullptr,
+                                 nullptr, nullptr, &parts, nullptr, nullptr, options, &cut, part.data());
     if (outcome != METIS_OK) {
         throw std::runtime_error{"METIS could not partition the block (code " + std::to_string(outcome) +
                                  "); use partition.kind: slab"};
@@ -72,9 +72,8 @@ std::vector<Rank> partition_by_slabs(const Block& block, int ranks) {
 }
 
 std::vector<Rank> partition_at_random(const Block& block, int ranks) {
-    return from_each_entity(block, [&](std::int64_t e) {
-        return mix(static_cast<std::uint64_t>(e)) % static_cast<std::uint64_t>(ranks);
-    });
+    return from_each_entity(
+        block, [&](std::int64_t e) { return mix(static_cast<std::uint64_t>(e)) % static_cast<std::uint64_t>(ranks); });
 }
 
 }  // namespace cracksim::partition

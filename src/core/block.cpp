@@ -67,7 +67,8 @@ std::vector<EntityId> Block::around(VertexId vertex) const {
 Vec3 Block::position(EntityId entity, int corner) const {
     const auto at = cell(entity);
     const auto& o = Hexahedron::offset[static_cast<std::size_t>(corner)];
-    return {origin_.x + static_cast<double>(at[0] + o[0]) * edge_.x, origin_.y + static_cast<double>(at[1] + o[1]) * edge_.y,
+    return {origin_.x + static_cast<double>(at[0] + o[0]) * edge_.x,
+            origin_.y + static_cast<double>(at[1] + o[1]) * edge_.y,
             origin_.z + static_cast<double>(at[2] + o[2]) * edge_.z};
 }
 

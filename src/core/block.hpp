@@ -65,7 +65,9 @@ private:
 [[nodiscard]] constexpr LocalMass local_mass(LocalEntity entity, int corner) {
     return LocalMass{entity.value() * Hexahedron::corners + corner};
 }
-[[nodiscard]] constexpr LocalEntity entity_of(LocalMass mass) { return LocalEntity{mass.value() / Hexahedron::corners}; }
+[[nodiscard]] constexpr LocalEntity entity_of(LocalMass mass) {
+    return LocalEntity{mass.value() / Hexahedron::corners};
+}
 [[nodiscard]] constexpr int corner_of(LocalMass mass) { return mass.value() % Hexahedron::corners; }
 
 }  // namespace cracksim

@@ -18,44 +18,23 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::CappedTag<double, UnionTable::lanes>;
 using V = hn::Vec<D>;
 
-HWY_INLINE V LoadForces(const double* force, const std::int32_t* places, bool run) {
-    const D d;
-    if (run) {
-        return hn::LoadU(d, force + places[0]);
-    }
-    const hn::RebindToSigned<D> di;
-    const hn::Rebind<std::int32_t, D> d32;
-    return hn::GatherIndex(d, force, hn::PromoteTo(di, hn::LoadU(d32, places)));
-}
-
 template <bool kExtrapolate>
 void AdvanceAll(AdvanceView& v) {
     const D d;
-    const std::size_t n = hn::Lanes(d);
-    constexpr std::size_t lanes = UnionTable::lanes;
     const V limit = hn::Set(d, v.longest_increment);
     auto sane = hn::Eq(limit, limit);
-    for (std::size_t chunk = v.first_chunk; chunk < v.chunks; ++chunk) {
-        for (std::size_t lane = 0; lane < lanes; lane += n) {
-            const std::int32_t* places = v.contributions + chunk * UnionTable::max_masses * lanes + lane;
-            const std::size_t s = chunk * lanes + lane;
-            const V mobility = hn::LoadU(d, v.mobility + s);
-            for (int i = 0; i < 3; ++i) {
-                V sum = hn::Zero(d);
-                for (unsigned k = 0; k < v.chunk_width[chunk]; ++k) {
-                    const bool run = ((static_cast<unsigned>(v.chunk_runs[chunk]) >> k) & 1U) != 0;
-                    sum = hn::Add(sum, LoadForces(v.force[i], places + k * lanes, run));
-                }
-                const V before = hn::LoadU(d, v.increment[i] + s);
-                const V w = hn::MulAdd(mobility, sum, before);
-                hn::StoreU(w, d, v.increment[i] + s);
-                hn::StoreU(hn::Add(hn::LoadU(d, v.displacement[i] + s), w), d, v.displacement[i] + s);
-                if constexpr (kExtrapolate) {
-                    const V next = hn::Sub(hn::Mul(hn::Set(d, 1.5), w), hn::Mul(hn::Set(d, 0.5), before));
-                    hn::StoreU(next, d, v.extrapolated[i] + s);
-                }
-                sane = hn::And(sane, hn::Lt(hn::Abs(w), limit));
+    for (std::size_t s = v.first; s < v.end; s += hn::Lanes(d)) {
+        const V mobility = hn::LoadU(d, v.mobility + s);
+        for (int i = 0; i < 3; ++i) {
+            const V before = hn::LoadU(d, v.increment[i] + s);
+            const V w = hn::MulAdd(mobility, hn::LoadU(d, v.force[i] + s), before);
+            hn::StoreU(w, d, v.increment[i] + s);
+            hn::StoreU(hn::Add(hn::LoadU(d, v.displacement[i] + s), w), d, v.displacement[i] + s);
+            if constexpr (kExtrapolate) {
+                const V next = hn::Sub(hn::Mul(hn::Set(d, 1.5), w), hn::Mul(hn::Set(d, 0.5), before));
+                hn::StoreU(next, d, v.extrapolated[i] + s);
             }
+            sane = hn::And(sane, hn::Lt(hn::Abs(w), limit));
         }
     }
     v.broken = !hn::AllTrue(d, sane);
@@ -103,11 +82,8 @@ AdvanceView view_of(const Network& network, State& state) {
         v.force[axis] = state.force.component(axis);
     }
     v.mobility = state.mobility.data();
-    v.contributions = state.unions.contributions(0);
-    v.chunk_runs = state.unions.chunk_runs();
-    v.chunk_width = state.unions.chunk_width();
-    v.first_chunk = state.unions.first_chunk();
-    v.chunks = state.unions.chunks();
+    v.first = state.unions.first_advanced().index();
+    v.end = state.unions.capacity();
     v.longest_increment = longest_increment(network);
     return v;
 }
@@ -116,8 +92,8 @@ std::vector<HeldBefore> remember_held(const State& state) {
     std::vector<HeldBefore> before;
     for (const Held& held : state.held) {
         const std::size_t s = held.slot.index();
-        before.push_back({state.displacement[s], state.increment[s],
-                          state.scheme == Scheme::ab2 ? state.extrapolated[s] : Vec3{}});
+        before.push_back(
+            {state.displacement[s], state.increment[s], state.scheme == Scheme::ab2 ? state.extrapolated[s] : Vec3{}});
     }
     return before;
 }

@@ -4,21 +4,14 @@ namespace cracksim::physics {
 
 namespace {
 
-Vec3 force_sum(const State& state, Slot s) {
-    Vec3 sum;
-    for (int k = 0; k < state.unions.mass_count(s); ++k) {
-        sum += state.force[static_cast<std::size_t>(state.unions.contribution(s, k))];
-    }
-    return sum;
-}
-
 /// dt v(n).
 Vec3 centred_increment(const State& state, Slot s) {
-    const Vec3 half_kick = 0.5 * state.mobility[s.index()] * force_sum(state, s);
+    const Vec3 half_kick = 0.5 * state.mobility[s.index()] * state.force[s.index()];
     Vec3 increment = state.increment[s.index()];
     const std::int32_t held = state.held_of_slot[s.index()];
     for (int axis = 0; axis < 3; ++axis) {
-        const bool is_held = held >= 0 && state.held[static_cast<std::size_t>(held)].support[static_cast<std::size_t>(axis)] >= 0;
+        const bool is_held =
+            held >= 0 && state.held[static_cast<std::size_t>(held)].support[static_cast<std::size_t>(axis)] >= 0;
         increment[axis] += is_held ? 0.0 : half_kick[axis];
     }
     return increment;

@@ -20,10 +20,22 @@ struct HexahedronPairs {
     static constexpr int diagonals = 4;
     static constexpr int count = edges + diagonals;
     static constexpr int edges_per_axis = 4;
-    static constexpr std::array<std::array<int, 2>, count> corners{{{0, 1}, {3, 2}, {4, 5}, {7, 6},    //
-                                                                    {0, 3}, {1, 2}, {4, 7}, {5, 6},    //
-                                                                    {0, 4}, {1, 5}, {2, 6}, {3, 7},    //
-                                                                    {0, 6}, {1, 7}, {2, 4}, {3, 5}}};
+    static constexpr std::array<std::array<int, 2>, count> corners{{{0, 1},
+                                                                    {3, 2},
+                                                                    {4, 5},
+                                                                    {7, 6},  //
+                                                                    {0, 3},
+                                                                    {1, 2},
+                                                                    {4, 7},
+                                                                    {5, 6},  //
+                                                                    {0, 4},
+                                                                    {1, 5},
+                                                                    {2, 6},
+                                                                    {3, 7},  //
+                                                                    {0, 6},
+                                                                    {1, 7},
+                                                                    {2, 4},
+                                                                    {3, 5}}};
 };
 
 /// The smallest physical piece, the same everywhere in the block: masses at the corners of a box, 16 interactions.
@@ -32,10 +44,10 @@ struct EntityModel {
     EntityModel(Vec3 edge, double corner_mass, Elasticity edges, Elasticity diagonals);
 
     double corner_mass;
-    std::array<Vec3, Hexahedron::corners> rest_corner;          ///< m, from corner 0
+    std::array<Vec3, Hexahedron::corners> rest_corner;  ///< m, from corner 0
     std::array<Elasticity, HexahedronPairs::count> elasticity;
-    std::array<Vec3, HexahedronPairs::count> rest;              ///< d0 = second corner minus first, m
-    std::array<double, HexahedronPairs::count> rest_length;     ///< L0, m
+    std::array<Vec3, HexahedronPairs::count> rest;           ///< d0 = second corner minus first, m
+    std::array<double, HexahedronPairs::count> rest_length;  ///< L0, m
 };
 
 }  // namespace cracksim::physics

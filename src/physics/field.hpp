@@ -19,7 +19,9 @@ public:
     [[nodiscard]] std::size_t size() const { return component_[0].size(); }
     [[nodiscard]] double* component(int axis) { return component_[static_cast<std::size_t>(axis)].data(); }
     [[nodiscard]] const double* component(int axis) const { return component_[static_cast<std::size_t>(axis)].data(); }
-    [[nodiscard]] Vec3 operator[](std::size_t i) const { return {component_[0][i], component_[1][i], component_[2][i]}; }
+    [[nodiscard]] Vec3 operator[](std::size_t i) const {
+        return {component_[0][i], component_[1][i], component_[2][i]};
+    }
     void set(std::size_t i, Vec3 value) {
         component_[0][i] = value.x;
         component_[1][i] = value.y;

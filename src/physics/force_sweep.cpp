@@ -3,6 +3,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "physics/force_sweep.hpp"
@@ -99,33 +100,76 @@ HWY_INLINE unsigned Exceeded(V longest, const double* limit) {
     return bits[0];
 }
 
+/// Forces and sums of the entities from e on, whose batch's runs are given.
+template <bool kMeasure>
+HWY_INLINE void Interact(const ForceSweepView& v, std::size_t e, unsigned runs, Corners& x, Sums& sums) {
+    const D d;
+    for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
+        const bool run = ((runs >> c) & 1U) != 0;
+        for (int i = 0; i < 3; ++i) {
+            x.u[c][i] = LoadSlots(v.displacement[i], v.slot[c] + e, run);
+            x.w[c][i] = LoadSlots(v.velocity_increment[i], v.slot[c] + e, run);
+            x.f[c][i] = hn::Zero(d);
+        }
+    }
+    sums = {hn::Zero(d), hn::Zero(d), {hn::Zero(d), hn::Zero(d), hn::Zero(d)}};
+    AddInteractions<kMeasure>(v, x, sums, std::make_index_sequence<HexahedronPairs::count>{});
+}
+
+HWY_INLINE void AddCorner(const ForceSweepView& v, std::size_t e, int corner, const Corners& x) {
+    const D d;
+    for (int i = 0; i < 3; ++i) {
+        double* sum = v.force[i] + v.slot[corner][e];
+        hn::StoreU(hn::Add(hn::LoadU(d, sum), x.f[corner][i]), d, sum);
+    }
+}
+
+/// Entity by entity, corner by corner: the order that any batch may be added in.
+HWY_INLINE void AddOneByOne(const ForceSweepView& v, std::size_t e, const Corners& x) {
+    const D d;
+    BatchForces forces;
+    for (int c = 0; c < Hexahedron::corners; ++c) {
+        for (int i = 0; i < 3; ++i) {
+            hn::StoreU(x.f[c][i], d, forces[i][c]);
+        }
+    }
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+        for (int c = 0; c < Hexahedron::corners; ++c) {
+            const std::int32_t slot = v.slot[c][e + lane];
+            for (int i = 0; i < 3; ++i) {
+                v.force[i][slot] += forces[i][c][lane];
+            }
+        }
+    }
+}
+
+HWY_INLINE void AddForces(const ForceSweepView& v, std::size_t e, bool by_corner, const Corners& x) {
+    if (!by_corner) {
+        AddOneByOne(v, e, x);
+        return;
+    }
+    for (const int corner : UnionTable::corners_added_first) {
+        AddCorner(v, e, corner, x);
+    }
+    for (const int corner : UnionTable::corners_added_last) {
+        AddCorner(v, e, corner, x);
+    }
+}
+
 template <bool kMeasure>
 void SweepAll(ForceSweepView& v) {
     const D d;
     const std::size_t n = hn::Lanes(d);
     V dissipated = hn::Zero(d);
     V elastic = hn::Zero(d);
+    Corners x;
+    Sums sums;
     for (std::size_t batch = 0; batch < v.batches; ++batch) {
-        const unsigned runs = v.batch_runs[batch];
         unsigned exceeded[3] = {0, 0, 0};
         for (std::size_t lane = 0; lane < UnionTable::lanes; lane += n) {
             const std::size_t e = batch * UnionTable::lanes + lane;
-            Corners x;
-            for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
-                const bool run = ((runs >> c) & 1U) != 0;
-                for (int i = 0; i < 3; ++i) {
-                    x.u[c][i] = LoadSlots(v.displacement[i], v.slot[c] + e, run);
-                    x.w[c][i] = LoadSlots(v.velocity_increment[i], v.slot[c] + e, run);
-                    x.f[c][i] = hn::Zero(d);
-                }
-            }
-            Sums sums{hn::Zero(d), hn::Zero(d), {hn::Zero(d), hn::Zero(d), hn::Zero(d)}};
-            AddInteractions<kMeasure>(v, x, sums, std::make_index_sequence<HexahedronPairs::count>{});
-            for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
-                for (int i = 0; i < 3; ++i) {
-                    hn::StoreU(x.f[c][i], d, v.force[i] + c * v.stride + e);
-                }
-            }
+            Interact<kMeasure>(v, e, v.batch_runs[batch], x, sums);
+            AddForces(v, e, v.batch_adds_by_corner[batch] != 0, x);
             const V owned = hn::LoadU(d, v.owned + e);
             dissipated = hn::MulAdd(owned, sums.dissipated, dissipated);
             elastic = hn::MulAdd(owned, sums.elastic, elastic);
@@ -144,6 +188,20 @@ void SweepAll(ForceSweepView& v) {
 void Sweep(ForceSweepView& v) { SweepAll<false>(v); }
 void SweepMeasured(ForceSweepView& v) { SweepAll<true>(v); }
 
+void SweepBatch(const ForceSweepView& v, std::size_t batch, BatchForces& forces) {
+    const D d;
+    Corners x;
+    Sums sums;
+    for (std::size_t lane = 0; lane < UnionTable::lanes; lane += hn::Lanes(d)) {
+        Interact<false>(v, batch * UnionTable::lanes + lane, v.batch_runs[batch], x, sums);
+        for (int c = 0; c < Hexahedron::corners; ++c) {
+            for (int i = 0; i < 3; ++i) {
+                hn::StoreU(x.f[c][i], d, forces[i][c] + lane);
+            }
+        }
+    }
+}
+
 }  // namespace cracksim::physics::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -153,35 +211,37 @@ namespace cracksim::physics {
 
 HWY_EXPORT(Sweep);
 HWY_EXPORT(SweepMeasured);
+HWY_EXPORT(SweepBatch);
 
 namespace {
 
 InteractionConstants constants(const EntityModel& model, std::size_t i, double dt) {
     const Vec3 rest = model.rest[i];
     const double tiny = 1e-12 * model.rest_length[i];
-    return {{rest.x, rest.y, rest.z}, model.rest_length[i], model.elasticity[i].stiffness,
-            model.elasticity[i].viscosity / dt, tiny * tiny};
+    return {{rest.x, rest.y, rest.z},
+            model.rest_length[i],
+            model.elasticity[i].stiffness,
+            model.elasticity[i].viscosity / dt,
+            tiny * tiny};
 }
 
-ForceSweepView view_of(const Network& network, State& state) {
+/// What the kernel reads; the outputs are left empty.
+ForceSweepView inputs_of(const Network& network, const State& state) {
     ForceSweepView v{};
     for (std::size_t i = 0; i < v.interaction.size(); ++i) {
         v.interaction[i] = constants(network.model(), i, state.step_size);
     }
     for (int axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<std::size_t>(axis);
         v.displacement[axis] = state.displacement.component(axis);
         v.velocity_increment[axis] = state.velocity_increment().component(axis);
-        v.limit[axis] = state.sensing.limit[i].data();
-        v.exceeded[axis] = state.sensing.exceeded[i].data();
-        v.force[axis] = state.force.component(axis);
+        v.limit[axis] = state.sensing.limit[static_cast<std::size_t>(axis)].data();
     }
     for (int corner = 0; corner < Hexahedron::corners; ++corner) {
         v.slot[corner] = state.unions.slots_of_corner(corner);
     }
     v.batch_runs = state.unions.batch_runs();
+    v.batch_adds_by_corner = state.unions.batch_adds_by_corner();
     v.owned = state.owned_weight.data();
-    v.stride = state.unions.stride();
     v.batches = state.unions.batches();
     return v;
 }
@@ -189,7 +249,12 @@ ForceSweepView view_of(const Network& network, State& state) {
 }  // namespace
 
 void accumulate_forces(const Network& network, State& state, Measure measure) {
-    ForceSweepView view = view_of(network, state);
+    ForceSweepView view = inputs_of(network, state);
+    for (int axis = 0; axis < 3; ++axis) {
+        view.exceeded[axis] = state.sensing.exceeded[static_cast<std::size_t>(axis)].data();
+        view.force[axis] = state.force.component(axis);
+        std::fill_n(view.force[axis], state.force.size(), 0.0);
+    }
     if (measure == Measure::elastic_energy) {
         HWY_DYNAMIC_DISPATCH(SweepMeasured)(view);
         state.elastic = view.elastic;
@@ -197,6 +262,17 @@ void accumulate_forces(const Network& network, State& state, Measure measure) {
         HWY_DYNAMIC_DISPATCH(Sweep)(view);
     }
     state.dissipated += view.dissipated;
+}
+
+std::array<Vec3, Hexahedron::corners> entity_forces(const Network& network, const State& state, LocalEntity e) {
+    BatchForces forces;
+    HWY_DYNAMIC_DISPATCH(SweepBatch)(inputs_of(network, state), e.index() / UnionTable::lanes, forces);
+    const std::size_t lane = e.index() % UnionTable::lanes;
+    std::array<Vec3, Hexahedron::corners> found;
+    for (std::size_t c = 0; c < found.size(); ++c) {
+        found[c] = {forces[0][c][lane], forces[1][c][lane], forces[2][c][lane]};
+    }
+    return found;
 }
 
 }  // namespace cracksim::physics

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "physics/network.hpp"
 #include "physics/state.hpp"
 
@@ -7,12 +9,17 @@ namespace cracksim::physics {
 
 enum class Measure { nothing, elastic_energy };
 
-/// Forces of all local entities, owned and halo alike, at the current state: state.force. On the way it marks the entities
+/// Forces of all local entities, owned and halo alike, at the current state, summed over the masses of each union in
+/// ascending order of their ids: state.force. On the way it marks the entities
 /// whose edges are stretched enough for a sensor to trigger (state.sensing.exceeded), adds the step's dissipation
 /// z (v.n)^2 dt of the owned entities to state.dissipated and, if asked, sets state.elastic.
 ///
 /// F_i = [ k e + z (v_j - v_i).n ] n  with  d = d0 + u_j - u_i,  n = d/|d|  and the elongation in its stable form
 /// e = ((2 d0 + du).du) / (|d| + L0).
 void accumulate_forces(const Network& network, State& state, Measure measure);
+
+/// The forces on the masses of one entity, N, with the bits that the sweep gives them.
+[[nodiscard]] std::array<Vec3, Hexahedron::corners> entity_forces(const Network& network, const State& state,
+                                                                  LocalEntity e);
 
 }  // namespace cracksim::physics

@@ -17,13 +17,17 @@ int place_in_face(int face, int corner) {
     return found == cycle.end() ? -1 : static_cast<int>(found - cycle.begin());
 }
 
-int partner_place(int rotation, int k) { return (rotation - k + 2 * Hexahedron::face_corners) % Hexahedron::face_corners; }
+int partner_place(int rotation, int k) {
+    return (rotation - k + 2 * Hexahedron::face_corners) % Hexahedron::face_corners;
+}
 
 }  // namespace
 
 int Interface::corner_a(int k) const { return Hexahedron::face[face_a][static_cast<std::size_t>(k)]; }
 
-int Interface::corner_b(int k) const { return Hexahedron::face[face_b][static_cast<std::size_t>(partner_place(rotation, k))]; }
+int Interface::corner_b(int k) const {
+    return Hexahedron::face[face_b][static_cast<std::size_t>(partner_place(rotation, k))];
+}
 
 int Interface::duplet_at_a(int corner) const { return place_in_face(face_a, corner); }
 
@@ -33,7 +37,8 @@ int Interface::duplet_at_b(int corner) const {
 }
 
 bool Support::holds(Vec3 p) const {
-    return p.x >= box[0].x && p.x <= box[1].x && p.y >= box[0].y && p.y <= box[1].y && p.z >= box[0].z && p.z <= box[1].z;
+    return p.x >= box[0].x && p.x <= box[1].x && p.y >= box[0].y && p.y <= box[1].y && p.z >= box[0].z &&
+           p.z <= box[1].z;
 }
 
 Network::Network(const Block& block, const EntityModel& model, IdArray<LocalEntity, EntityId> entities,

@@ -32,19 +32,22 @@ Reach reach_of(const Network& network, const Interface& face, int k) {
 }
 
 bool is_active(const Sensing& sensing, std::int32_t interface, int k) {
-    return ((static_cast<unsigned>(sensing.active[static_cast<std::size_t>(interface)]) >> static_cast<unsigned>(k)) & 1U) != 0;
+    return ((static_cast<unsigned>(sensing.active[static_cast<std::size_t>(interface)]) >> static_cast<unsigned>(k)) &
+            1U) != 0;
 }
 
 bool triggers(const Network& network, const State& state, std::int32_t interface, int k) {
     const Reach reach = reach_of(network, network.interfaces()[static_cast<std::size_t>(interface)], k);
-    const Vec3 du = state.displacement[state.unions.slot(reach.p).index()] - state.displacement[state.unions.slot(reach.q).index()];
+    const Vec3 du =
+        state.displacement[state.unions.slot(reach.p).index()] - state.displacement[state.unions.slot(reach.q).index()];
     const Vec3 distance = reach.rest + du;
     const double rest = norm(reach.rest);
     const double elongation = dot(reach.rest + distance, du) / (norm(distance) + rest);
     return elongation > network.threshold(interface, k) * rest;
 }
 
-void sense_interface(const Network& network, const State& state, std::int32_t interface, std::vector<LocalDuplet>& found) {
+void sense_interface(const Network& network, const State& state, std::int32_t interface,
+                     std::vector<LocalDuplet>& found) {
     for (int k = 0; k < Network::duplets_per_interface; ++k) {
         if (is_active(state.sensing, interface, k) && triggers(network, state, interface, k)) {
             found.emplace_back(interface * Network::duplets_per_interface + k);
@@ -96,7 +99,8 @@ void set_sensing_limit(const Network& network, LocalEntity e, int axis, Sensing&
             const Interface& shared = network.interfaces()[static_cast<std::size_t>(interface)];
             const Reach reach = reach_of(network, shared, k);
             const double edge = shared.a == e ? reach.edge_p : reach.edge_q;
-            const double together = (1 + network.threshold(interface, k)) * norm(reach.rest) / (reach.edge_p + reach.edge_q);
+            const double together =
+                (1 + network.threshold(interface, k)) * norm(reach.rest) / (reach.edge_p + reach.edge_q);
             limit = std::min(limit, edge * (together * (1 - margin) - 1));
         }
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "physics/force_sweep.hpp"
+
 namespace cracksim::physics {
 
 namespace {
@@ -28,14 +30,16 @@ LocalMass tied_over(const Network& network, const Sensing& sensing, LocalMass m,
     }
     const Interface& shared = network.interfaces()[static_cast<std::size_t>(index)];
     const int k = shared.a == e ? shared.duplet_at_a(corner_of(m)) : shared.duplet_at_b(corner_of(m));
-    if (k < 0 || ((static_cast<unsigned>(sensing.active[static_cast<std::size_t>(index)]) >> static_cast<unsigned>(k)) & 1U) == 0) {
+    if (k < 0 || ((static_cast<unsigned>(sensing.active[static_cast<std::size_t>(index)]) >> static_cast<unsigned>(k)) &
+                  1U) == 0) {
         return {};
     }
     return shared.a == e ? local_mass(shared.b, shared.corner_b(k)) : local_mass(shared.a, shared.corner_a(k));
 }
 
 /// The connected components of a union's masses under active duplets; each ascends, and they ascend by first mass.
-std::vector<std::vector<LocalMass>> components(const Network& network, const Sensing& sensing, std::span<const LocalMass> masses) {
+std::vector<std::vector<LocalMass>> components(const Network& network, const Sensing& sensing,
+                                               std::span<const LocalMass> masses) {
     std::vector<std::size_t> label(masses.size());
     std::iota(label.begin(), label.end(), std::size_t{0});
     const auto relabel = [&](std::size_t from, std::size_t to) { std::ranges::replace(label, from, to); };
@@ -78,6 +82,15 @@ void inherit(State& state, Slot from, Slot to) {
     }
 }
 
+/// Each part feels the forces on its own masses, summed as the sweep would have.
+void share_forces(const Network& network, std::span<const LocalMass> part, State& state) {
+    Vec3 sum;
+    for (const LocalMass m : part) {
+        sum += entity_forces(network, state, entity_of(m))[static_cast<std::size_t>(corner_of(m))];
+    }
+    state.force.set(state.unions.slot(part.front()).index(), sum);
+}
+
 bool split_union(const Network& network, Slot s, State& state, SplitStream& splits) {
     std::vector<LocalMass> masses;
     state.unions.masses(s, masses);
@@ -97,6 +110,9 @@ bool split_union(const Network& network, Slot s, State& state, SplitStream& spli
     }
     state.unions.keep(s, parts[0]);
     state.set_mobility(network, s);
+    for (const auto& part : parts) {
+        share_forces(network, part, state);
+    }
     return true;
 }
 
@@ -119,7 +135,8 @@ std::size_t split(const Network& network, std::span<const LocalDuplet> triggered
 
 std::array<LocalMass, 2> masses_of(const Network& network, LocalDuplet duplet) {
     const Interface& shared = network.interfaces()[static_cast<std::size_t>(interface_of(duplet))];
-    return {local_mass(shared.a, shared.corner_a(place_of(duplet))), local_mass(shared.b, shared.corner_b(place_of(duplet)))};
+    return {local_mass(shared.a, shared.corner_a(place_of(duplet))),
+            local_mass(shared.b, shared.corner_b(place_of(duplet)))};
 }
 
 DupletEvent event_of(const Network& network, const State& state, LocalDuplet duplet) {

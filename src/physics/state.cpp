@@ -36,20 +36,10 @@ void for_each_slot(const Network& network, const UnionTable& unions, auto&& acti
     }
 }
 
-/// The union's acceleration times dt^2 from the forces of the last sweep.
-Vec3 acceleration_increment(const State& state, Slot s) {
-    Vec3 sum;
-    for (int k = 0; k < state.unions.mass_count(s); ++k) {
-        sum += state.force[static_cast<std::size_t>(state.unions.contribution(s, k))];
-    }
-    return state.mobility[s.index()] * sum;
-}
-
 }  // namespace
 
 State::State(const Network& network, Scheme chosen, double dt)
     : scheme{chosen}, step_size{dt}, unions{network}, sensing{all_active(network, unions.stride())} {
-    force.resize(unions.stride() * Hexahedron::corners);
     owned_weight.assign(unions.stride(), 0.0);
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
         owned_weight[e.index()] = network.owned(e) ? 1.0 : 0.0;
@@ -68,6 +58,7 @@ void State::fit() {
     const std::size_t size = unions.capacity();
     displacement.resize(size);
     increment.resize(size);
+    force.resize(size);
     if (scheme == Scheme::ab2) {
         extrapolated.resize(size);
     }
@@ -77,17 +68,15 @@ void State::fit() {
 
 void State::set_mobility(const Network& network, Slot s) {
     double mass = 0;
-    for (int k = 0; k < unions.mass_count(s); ++k) {
-        mass += network.model().corner_mass;
-    }
+    unions.for_each_mass(s, [&](LocalMass) { mass += network.model().corner_mass; });
     mobility[s.index()] = step_size * step_size / mass;
 }
 
 std::size_t State::memory_bytes() const {
-    std::size_t bytes = unions.memory_bytes() + displacement.memory_bytes() + increment.memory_bytes() +
-                        extrapolated.memory_bytes() + force.memory_bytes() + (mobility.capacity() + owned_weight.capacity()) * sizeof(double) +
-                        held_of_slot.capacity() * sizeof(std::int32_t) + held.capacity() * sizeof(Held) +
-                        sensing.active.capacity();
+    std::size_t bytes =
+        unions.memory_bytes() + displacement.memory_bytes() + increment.memory_bytes() + extrapolated.memory_bytes() +
+        force.memory_bytes() + (mobility.capacity() + owned_weight.capacity()) * sizeof(double) +
+        held_of_slot.capacity() * sizeof(std::int32_t) + held.capacity() * sizeof(Held) + sensing.active.capacity();
     for (std::size_t axis = 0; axis < 3; ++axis) {
         bytes += sensing.limit[axis].capacity() * sizeof(double) + sensing.exceeded[axis].capacity();
     }
@@ -106,7 +95,7 @@ void start(const Network& network, const Initial& initial, State& state) {
     state.dissipated = 0;
     for (Slot s = state.unions.first_advanced(); s < state.unions.end(); ++s) {
         const Vec3 v0 = velocity[s.index()];
-        const Vec3 a0 = acceleration_increment(state, s);
+        const Vec3 a0 = state.mobility[s.index()] * state.force[s.index()];
         const Vec3 w0 = prescribed(network, state, s, v0 - 0.5 * a0, -0.5);
         const Vec3 before = prescribed(network, state, s, v0 - 1.5 * a0, -1.5);
         state.increment.set(s.index(), w0);

@@ -41,21 +41,21 @@ struct State {
     State(const Network& network, Scheme scheme, double step_size);
 
     Scheme scheme;
-    double step_size;       ///< dt, s
+    double step_size;  ///< dt, s
     std::int64_t step{0};
     UnionTable unions;
-    Field displacement;     ///< u by slot
-    Field increment;        ///< w by slot
-    Field extrapolated;     ///< ab2: 1.5 w(n) - 0.5 w(n-1) by slot; empty with cordis
-    std::vector<double> mobility;  ///< dt^2/M by slot, s^2/kg
-    Field force;            ///< by force index of UnionTable, N
+    Field displacement;                ///< u by slot
+    Field increment;                   ///< w by slot
+    Field extrapolated;                ///< ab2: 1.5 w(n) - 0.5 w(n-1) by slot; empty with cordis
+    std::vector<double> mobility;      ///< dt^2/M by slot, s^2/kg
+    Field force;                       ///< by slot, of the last sweep, N; whole for advanced unions only
     std::vector<double> owned_weight;  ///< by entity: 1 if owned, else 0
     Sensing sensing;
     std::vector<Held> held;
     std::vector<std::int32_t> held_of_slot;  ///< index into held, -1 if free
-    double dissipated{0};   ///< J, by the owned entities so far
-    double external{0};     ///< J, work of the supports on the unions that this rank owns so far
-    double elastic{0};      ///< J, of the owned entities at the last measured sweep
+    double dissipated{0};                    ///< J, by the owned entities so far
+    double external{0};                      ///< J, work of the supports on the unions that this rank owns so far
+    double elastic{0};                       ///< J, of the owned entities at the last measured sweep
     std::optional<Breakdown> breakdown;
 
     /// What damping takes for dt v: w, or its extrapolation with ab2.

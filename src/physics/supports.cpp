@@ -30,9 +30,10 @@ std::optional<std::string> conflict_at(const Network& network, LocalMass m) {
                 continue;
             }
             if (holder[axis] != nullptr) {
-                return "supports '" + holder[axis]->name + "' and '" + support.name + "' both prescribe the velocity along " +
-                       axis_name[axis] + " of mass " + std::to_string(network.mass(m).value()) + " at x = " +
-                       std::to_string(rest.x) + ", y = " + std::to_string(rest.y) + ", z = " + std::to_string(rest.z) + " m";
+                return "supports '" + holder[axis]->name + "' and '" + support.name +
+                       "' both prescribe the velocity along " + axis_name[axis] + " of mass " +
+                       std::to_string(network.mass(m).value()) + " at x = " + std::to_string(rest.x) +
+                       ", y = " + std::to_string(rest.y) + ", z = " + std::to_string(rest.z) + " m";
             }
             holder[axis] = &support;
         }

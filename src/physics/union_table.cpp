@@ -1,6 +1,7 @@
 #include "physics/union_table.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "core/contracts.hpp"
 
@@ -21,91 +22,100 @@ bool is_run(const std::int32_t* values) {
     return true;
 }
 
-void set_bit(std::uint8_t& byte, int bit, bool value) {
-    const auto mask = static_cast<std::uint8_t>(1U << static_cast<unsigned>(bit));
-    byte = static_cast<std::uint8_t>(value ? byte | mask : byte & ~mask);
-}
-
 }  // namespace
 
 UnionTable::UnionTable(const Network& network)
     : stride_{round_up(static_cast<std::size_t>(network.entity_count()) + 1)},
       first_advanced_{static_cast<std::int32_t>(round_up(network.received().size() + 1))},
-      end_{first_advanced_} {
+      end_{first_advanced_},
+      batch_runs_(batches(), 0),
+      batch_adds_by_corner_(batches(), 0),
+      first_mass_(first_advanced_.index()),
+      next_mass_(static_cast<std::size_t>(network.mass_count())) {
     const auto void_slot = static_cast<std::int32_t>(network.received().size());
     slot_.assign(stride_ * Hexahedron::corners, void_slot);
     for (std::size_t i = 0; i < network.received().size(); ++i) {
-        slot_[place(network.received()[i])] = static_cast<std::int32_t>(i);
+        assign(Slot{static_cast<std::int32_t>(i)}, std::span{network.received()}.subspan(i, 1));
     }
-    for (std::size_t chunk = 0; chunk < first_advanced_.index() / lanes; ++chunk) {
-        add_chunk();
-    }
-    batch_runs_.assign(batches(), 0);
     for (std::size_t u = 0; u < network.union_count(); ++u) {
-        append(network.union_masses(u));
+        assign(add_slot(), network.union_masses(u));
     }
     for (std::size_t batch = 0; batch < batches(); ++batch) {
-        for (int corner = 0; corner < Hexahedron::corners; ++corner) {
-            update_batch(batch, corner);
-        }
+        update_batch(batch);
     }
 }
 
 void UnionTable::masses(Slot s, std::vector<LocalMass>& found) const {
     found.clear();
-    for (int k = 0; k < mass_count(s); ++k) {
-        found.push_back(mass_at(contribution(s, k)));
-    }
+    for_each_mass(s, [&](LocalMass m) { found.push_back(m); });
 }
 
-void UnionTable::add_chunk() {
-    const auto void_force = static_cast<std::int32_t>(stride_ - 1);
-    contributions_.resize(contributions_.size() + max_masses * lanes, void_force);
-    chunk_runs_.push_back(0);
-    width_.push_back(0);
-    mass_count_.resize(mass_count_.size() + lanes, 0);
+int UnionTable::mass_count(Slot s) const {
+    int count = 0;
+    for_each_mass(s, [&](LocalMass) { ++count; });
+    return count;
 }
 
-Slot UnionTable::append(std::span<const LocalMass> part) {
+Slot UnionTable::add_slot() {
     const Slot s = end_;
     if (s.index() == capacity()) {
-        add_chunk();
+        first_mass_.resize(first_mass_.size() + lanes);
     }
     ++end_;
-    assign(s, part);
     return s;
 }
 
-void UnionTable::assign(Slot s, std::span<const LocalMass> part) {
-    CRACKSIM_EXPECT(!part.empty() && part.size() <= static_cast<std::size_t>(max_masses));
-    const auto void_force = static_cast<std::int32_t>(stride_ - 1);
-    std::int32_t* list = contributions_.data() + s.index() / lanes * max_masses * lanes + s.index() % lanes;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(max_masses); ++k) {
-        list[k * lanes] = k < part.size() ? static_cast<std::int32_t>(place(part[k])) : void_force;
-    }
-    mass_count_[s.index()] = static_cast<std::int8_t>(part.size());
+Slot UnionTable::append(std::span<const LocalMass> part) {
+    const Slot s = add_slot();
+    keep(s, part);
+    return s;
+}
+
+void UnionTable::keep(Slot s, std::span<const LocalMass> part) {
+    assign(s, part);
     for (const LocalMass m : part) {
-        slot_[place(m)] = s.value();
-        update_batch(entity_of(m).index() / lanes, corner_of(m));
-    }
-    update_chunk(s.index() / lanes);
-}
-
-void UnionTable::update_chunk(std::size_t chunk) {
-    const auto counts = std::span{mass_count_}.subspan(chunk * lanes, lanes);
-    width_[chunk] = static_cast<std::uint8_t>(std::ranges::max(counts));
-    for (int k = 0; k < max_masses; ++k) {
-        set_bit(chunk_runs_[chunk], k, is_run(contributions(chunk) + k * UnionTable::lanes));
+        update_batch(entity_of(m).index() / lanes);
     }
 }
 
-void UnionTable::update_batch(std::size_t batch, int corner) {
-    set_bit(batch_runs_[batch], corner, is_run(slots_of_corner(corner) + batch * lanes));
+void UnionTable::assign(Slot s, std::span<const LocalMass> part) {
+    CRACKSIM_EXPECT(!part.empty() && std::ranges::is_sorted(part));
+    first_mass_[s.index()] = part.front();
+    for (std::size_t i = 0; i < part.size(); ++i) {
+        const LocalMass m = part[i];
+        slot_[static_cast<std::size_t>(corner_of(m)) * stride_ + entity_of(m).index()] = s.value();
+        next_mass_[m.index()] = i + 1 < part.size() ? part[i + 1] : LocalMass{};
+    }
+}
+
+void UnionTable::update_batch(std::size_t batch) {
+    unsigned runs = 0;
+    for (int corner = 0; corner < Hexahedron::corners; ++corner) {
+        runs |= is_run(slots_of_corner(corner) + batch * lanes) ? 1U << static_cast<unsigned>(corner) : 0U;
+    }
+    batch_runs_[batch] = static_cast<std::uint8_t>(runs);
+    batch_adds_by_corner_[batch] = runs == 0xffU && adds_by_corner(batch) ? 1 : 0;
+}
+
+bool UnionTable::adds_by_corner(std::size_t batch) const {
+    const auto base = [&](int corner) { return slots_of_corner(corner)[batch * lanes]; };
+    const auto apart = [&](int a, int b) { return a == b || std::abs(base(a) - base(b)) >= UnionTable::lanes; };
+    for (std::size_t i = 0; i < corners_added_first.size(); ++i) {
+        for (std::size_t j = 0; j < corners_added_last.size(); ++j) {
+            const int ahead = base(corners_added_first[i]) - base(corners_added_last[j]);
+            const bool in_order = ahead > 0 || ahead <= -UnionTable::lanes;
+            if (!in_order || !apart(corners_added_first[i], corners_added_first[j]) ||
+                !apart(corners_added_last[i], corners_added_last[j])) {
+                return false;
+            }
+        }
+    }
+    return true;
 }
 
 std::size_t UnionTable::memory_bytes() const {
-    return (slot_.capacity() + contributions_.capacity()) * sizeof(std::int32_t) + batch_runs_.capacity() +
-           chunk_runs_.capacity() + width_.capacity() + mass_count_.capacity();
+    return slot_.capacity() * sizeof(std::int32_t) + batch_runs_.capacity() + batch_adds_by_corner_.capacity() +
+           (first_mass_.capacity() + next_mass_.capacity()) * sizeof(LocalMass);
 }
 
 }  // namespace cracksim::physics

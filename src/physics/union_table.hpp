@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,17 +15,15 @@ namespace cracksim::physics {
 using Slot = Id<struct SlotTag, std::int32_t>;
 
 /// Which masses move as one: mass -> slot, and slot -> masses in ascending order. Laid out for a sweep over batches of
-/// `lanes` consecutive entities and over chunks of `lanes` consecutive slots; where consecutive lanes lead to consecutive
-/// places, a run bit says so and the sweep loads instead of gathering.
+/// `lanes` consecutive entities: slots stand by corner and entity, and where consecutive entities lead to consecutive slots,
+/// a run bit says so and the sweep loads instead of gathering.
 ///
 /// Slots: one for each received mass, at least one void slot that never moves, then the unions that this rank advances, at
-/// the start in the order of their vertices; the parts of split unions are appended. An index into the forces is
-/// corner * stride() + entity; entities from entity_count() to stride() are void and rest on the void slot.
+/// the start in the order of their vertices; the parts of split unions are appended. Entities from entity_count() to
+/// stride() are void and rest on the void slot.
 class UnionTable {
 public:
     static constexpr int lanes = 8;
-    /// Masses of a union at most: the corners that meet at a vertex of a block of hexahedra.
-    static constexpr int max_masses = 8;
 
     explicit UnionTable(const Network& network);
 
@@ -32,62 +31,58 @@ public:
     [[nodiscard]] std::size_t batches() const { return stride_ / lanes; }
     [[nodiscard]] Slot first_advanced() const { return first_advanced_; }
     [[nodiscard]] Slot end() const { return end_; }
-    /// Slots in whole chunks: the length that arrays by slot need.
-    [[nodiscard]] std::size_t capacity() const { return chunks() * lanes; }
-    [[nodiscard]] std::size_t chunks() const { return width_.size(); }
-    [[nodiscard]] std::size_t first_chunk() const { return first_advanced_.index() / lanes; }
+    /// Slots in whole chunks of `lanes`: the length that arrays by slot need.
+    [[nodiscard]] std::size_t capacity() const { return first_mass_.size(); }
 
-    [[nodiscard]] Slot slot(LocalMass m) const { return Slot{slot_[place(m)]}; }
-    [[nodiscard]] std::int32_t mass_count(Slot s) const { return mass_count_[s.index()]; }
-    /// The masses of a union, ascending, appended to an empty list.
+    [[nodiscard]] Slot slot(LocalMass m) const {
+        return Slot{slot_[static_cast<std::size_t>(corner_of(m)) * stride_ + entity_of(m).index()]};
+    }
+    [[nodiscard]] LocalMass smallest_mass(Slot s) const { return first_mass_[s.index()]; }
+    /// Calls action(mass) for the masses of an advanced union, ascending.
+    template <class Action>
+    void for_each_mass(Slot s, Action&& action) const {
+        for (LocalMass m = first_mass_[s.index()]; m != LocalMass{}; m = next_mass_[m.index()]) {
+            action(m);
+        }
+    }
+    /// The same masses in a list, which is cleared first.
     void masses(Slot s, std::vector<LocalMass>& found) const;
-    [[nodiscard]] LocalMass smallest_mass(Slot s) const { return mass_at(contribution(s, 0)); }
+    [[nodiscard]] int mass_count(Slot s) const;
 
-    /// Slots of a corner's masses by entity; whether a batch's lie in a run, bit by corner.
+    /// Slots of a corner's masses by entity.
     [[nodiscard]] const std::int32_t* slots_of_corner(int corner) const {
         return slot_.data() + static_cast<std::size_t>(corner) * stride_;
     }
+    /// By batch: bit c is set where the slots of corner c are consecutive.
     [[nodiscard]] const std::uint8_t* batch_runs() const { return batch_runs_.data(); }
-    /// Force indices that a chunk's unions sum, k-th masses of all lanes together: [chunk][k][lane].
-    [[nodiscard]] const std::int32_t* contributions(std::size_t chunk) const {
-        return contributions_.data() + chunk * max_masses * lanes;
-    }
-    [[nodiscard]] const std::uint8_t* chunk_runs() const { return chunk_runs_.data(); }
-    /// Masses of a chunk's largest union.
-    [[nodiscard]] const std::uint8_t* chunk_width() const { return width_.data(); }
-    [[nodiscard]] std::int32_t contribution(Slot s, int k) const {
-        return contributions(s.index() / lanes)[static_cast<std::size_t>(k) * lanes + s.index() % lanes];
-    }
-    [[nodiscard]] std::size_t place(LocalMass m) const {
-        return static_cast<std::size_t>(corner_of(m)) * stride_ + entity_of(m).index();
-    }
-    [[nodiscard]] LocalMass mass_at(std::int32_t force_index) const {
-        const auto index = static_cast<std::size_t>(force_index);
-        return local_mass(LocalEntity{static_cast<std::int32_t>(index % stride_)}, static_cast<int>(index / stride_));
-    }
+    /// By batch: 1 where adding the forces of whole corners, those of `corners_added_first` before the others, reaches every
+    /// union in ascending order of its masses.
+    [[nodiscard]] const std::uint8_t* batch_adds_by_corner() const { return batch_adds_by_corner_.data(); }
+    /// The corners on the upper x side: where they coincide with a corner of the lower side, that belongs to a later entity.
+    static constexpr std::array<int, 4> corners_added_first{1, 2, 5, 6};
+    static constexpr std::array<int, 4> corners_added_last{0, 3, 4, 7};
 
-    /// Leaves `part` in a slot of its own, which is returned; the caller takes the masses from their old slot by keep().
+    /// Gives a part (ascending masses) a slot of its own, which is returned; the rest must be kept by keep().
     Slot append(std::span<const LocalMass> part);
-    /// Reduces a slot to some of its masses.
-    void keep(Slot s, std::span<const LocalMass> part) { assign(s, part); }
+    /// Reduces a slot to some of its masses (ascending).
+    void keep(Slot s, std::span<const LocalMass> part);
 
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
-    void add_chunk();
+    Slot add_slot();
     void assign(Slot s, std::span<const LocalMass> masses);
-    void update_chunk(std::size_t chunk);
-    void update_batch(std::size_t batch, int corner);
+    void update_batch(std::size_t batch);
+    [[nodiscard]] bool adds_by_corner(std::size_t batch) const;
 
     std::size_t stride_;
     Slot first_advanced_;
     Slot end_;
     std::vector<std::int32_t> slot_;
     std::vector<std::uint8_t> batch_runs_;
-    std::vector<std::int32_t> contributions_;
-    std::vector<std::uint8_t> chunk_runs_;
-    std::vector<std::uint8_t> width_;
-    std::vector<std::int8_t> mass_count_;
+    std::vector<std::uint8_t> batch_adds_by_corner_;
+    std::vector<LocalMass> first_mass_;  ///< by slot
+    std::vector<LocalMass> next_mass_;   ///< by local mass, within its union
 };
 
 }  // namespace cracksim::physics

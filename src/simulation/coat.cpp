@@ -18,7 +18,8 @@ namespace {
 std::int64_t face_key(LocalEntity e, int face) { return std::int64_t{e.value()} * Hexahedron::faces + face; }
 
 /// Lowers labels on every rank until no rank changes one. lower(labels) -> did anything change. Collective.
-IdArray<LocalEntity, EntityId> agree_on_labels(const partition::Communicator& comm, const partition::Decomposition& decomposition,
+IdArray<LocalEntity, EntityId> agree_on_labels(const partition::Communicator& comm,
+                                               const partition::Decomposition& decomposition,
                                                const partition::Halo& halo, auto&& lower) {
     IdArray<LocalEntity, EntityId> labels = decomposition.entities;
     bool changed = true;
@@ -108,7 +109,8 @@ void Coat::measure_cracks() {
     }
     crack_area_ = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        crack_area_ += static_cast<double>(comm_->sum(opened[static_cast<std::size_t>(axis)])) * block_.face_area(2 * axis);
+        crack_area_ +=
+            static_cast<double>(comm_->sum(opened[static_cast<std::size_t>(axis)])) * block_.face_area(2 * axis);
     }
 }
 

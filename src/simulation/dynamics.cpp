@@ -62,8 +62,7 @@ void Dynamics::set_start_increments() {
 
 void Dynamics::act(physics::Measure measure) {
     stopwatch_->time(Phase::force, [&] { physics::accumulate_forces(network_, state_, measure); });
-    const auto triggered =
-        stopwatch_->time(Phase::sense, [&] { return physics::sense(network_, state_, prefilter_); });
+    const auto triggered = stopwatch_->time(Phase::sense, [&] { return physics::sense(network_, state_, prefilter_); });
     if (triggered.empty()) {
         return;
     }
@@ -126,9 +125,7 @@ void Dynamics::audit(const partition::Audit& audit) const {
     std::vector<std::int32_t> reads(static_cast<std::size_t>(network_.mass_count()), 0);
     const auto& unions = state_.unions;
     for (physics::Slot s = unions.first_advanced(); s < unions.end(); ++s) {
-        for (int k = 0; k < unions.mass_count(s); ++k) {
-            ++reads[unions.mass_at(unions.contribution(s, k)).index()];
-        }
+        unions.for_each_mass(s, [&](LocalMass m) { ++reads[m.index()]; });
     }
     const auto view = [&](LocalMass m) {
         const physics::Slot s = unions.slot(m);
@@ -136,8 +133,8 @@ void Dynamics::audit(const partition::Audit& audit) const {
         return partition::MassView{advanced ? network_.mass(unions.smallest_mass(s)).value() : unknown,
                                    physics::motion_hash(state_, m)};
     };
-    for (const auto& finding : {audit.check_plan(plan_), audit.check_contributions(network_.block(), reads),
-                                audit.check_masses(view)}) {
+    for (const auto& finding :
+         {audit.check_plan(plan_), audit.check_contributions(network_.block(), reads), audit.check_masses(view)}) {
         if (finding) {
             throw std::runtime_error{"audit at step " + std::to_string(state_.step) + ": " + *finding};
         }

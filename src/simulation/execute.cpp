@@ -35,7 +35,8 @@ std::string read_input(const partition::Communicator& comm, const std::filesyste
         if (std::filesystem::is_directory(path, ignored)) {
             problem = path.string() + ": is a directory; name a scene file such as inputs/block.yaml";
         } else if (!file) {
-            problem = path.string() + ": cannot be opened; check the path (scenes are YAML files such as inputs/block.yaml)";
+            problem =
+                path.string() + ": cannot be opened; check the path (scenes are YAML files such as inputs/block.yaml)";
         } else {
             text.assign(std::istreambuf_iterator<char>{file}, {});
         }
@@ -54,8 +55,8 @@ std::vector<std::string> warnings(const Scene& scene, const CertifiedStep& certi
     return all;
 }
 
-void run_with_files(const partition::Communicator& comm, Simulation& simulation, const io::RunDirectory& directory, io::Log& log,
-                    ProgressStyle style) {
+void run_with_files(const partition::Communicator& comm, Simulation& simulation, const io::RunDirectory& directory,
+                    io::Log& log, ProgressStyle style) {
     Progress progress{log, style};
     RunFiles files{simulation, directory, progress};
     const auto write = [&](const io::Summary& summary) {
@@ -86,7 +87,8 @@ int execute(const partition::Communicator& comm, const CommandLine& command) {
     if (!command.dry_run) {
         directory.check(comm);
     }
-    auto simulation = stopwatch.time(Phase::setup, [&] { return std::make_unique<Simulation>(comm, scene, stopwatch); });
+    auto simulation =
+        stopwatch.time(Phase::setup, [&] { return std::make_unique<Simulation>(comm, scene, stopwatch); });
     if (command.audit) {
         simulation->enable_audit();
     }

@@ -18,8 +18,8 @@ std::size_t filing_rank(std::int64_t entity, std::int64_t entities, int ranks) {
 
 /// Sends each record to its filing rank; there they stand in order of their keys, each key once.
 template <class Record>
-std::vector<Record> filed(const partition::Communicator& comm, const std::vector<Record>& records, std::int64_t entities,
-                          std::int64_t keys_per_entity) {
+std::vector<Record> filed(const partition::Communicator& comm, const std::vector<Record>& records,
+                          std::int64_t entities, std::int64_t keys_per_entity) {
     std::vector<std::vector<Record>> outgoing(static_cast<std::size_t>(comm.size()));
     for (const Record& record : records) {
         outgoing[filing_rank(record.key / keys_per_entity, entities, comm.size())].push_back(record);
@@ -89,8 +89,8 @@ std::vector<T> column(const std::vector<CellRecord>& cells, std::array<T, N> Cel
 
 }  // namespace
 
-geometry::Mesh assemble(const partition::Communicator& comm, const MeshLayout& layout, const std::vector<PointRecord>& points,
-                        const std::vector<CellRecord>& cells) {
+geometry::Mesh assemble(const partition::Communicator& comm, const MeshLayout& layout,
+                        const std::vector<PointRecord>& points, const std::vector<CellRecord>& cells) {
     const auto filed_points = filed(comm, points, layout.entities, layout.point_keys_per_entity);
     const auto filed_cells = filed(comm, cells, layout.entities, layout.cell_keys_per_entity);
     geometry::Mesh mesh;
@@ -98,8 +98,7 @@ geometry::Mesh assemble(const partition::Communicator& comm, const MeshLayout& l
     for (const PointRecord& point : filed_points) {
         mesh.points.push_back(point.position);
     }
-    mesh.connectivity =
-        connectivity(comm, layout, filed_points, filed_cells, static_cast<std::size_t>(mesh.corners()));
+    mesh.connectivity = connectivity(comm, layout, filed_points, filed_cells, static_cast<std::size_t>(mesh.corners()));
     for (std::size_t i = 0; i < layout.integer_names.size(); ++i) {
         mesh.fields.push_back({layout.integer_names[i], column(filed_cells, &CellRecord::integers, i)});
     }

@@ -20,7 +20,8 @@ CellRecord record_of(const Dynamics& dynamics, const Coat& coat, const physics::
     CellRecord record{};
     record.key = global_entity(dynamics, face.entity) * Hexahedron::faces + face.face;
     record.integers = {global_entity(dynamics, face.entity), coat.fragments()[face.entity].value()};
-    record.reals = {coat.opened_at(face.entity, face.face), geometry::opening(coat.map(), face, evolution).value_or(0.0)};
+    record.reals = {coat.opened_at(face.entity, face.face),
+                    geometry::opening(coat.map(), face, evolution).value_or(0.0)};
     for (std::size_t k = 0; k < face.corners.size(); ++k) {
         record.points[k] = dynamics.network().mass(topology::smallest_corner(coat.map(), face.corners[k])).value();
     }
@@ -42,9 +43,12 @@ geometry::Mesh surface_mesh(const partition::Communicator& comm, const Dynamics&
             points.push_back({cells.back().points[k], evolution.position(face.corners[k])});
         }
     }
-    const MeshLayout layout{geometry::CellKind::quadrilateral, dynamics.network().block().entity_count(),
-                            Hexahedron::corners,               Hexahedron::faces,
-                            {"entity", "fragment"},            {"opened_at", "opening"}};
+    const MeshLayout layout{geometry::CellKind::quadrilateral,
+                            dynamics.network().block().entity_count(),
+                            Hexahedron::corners,
+                            Hexahedron::faces,
+                            {"entity", "fragment"},
+                            {"opened_at", "opening"}};
     return assemble(comm, layout, points, cells);
 }
 
@@ -60,8 +64,9 @@ geometry::Mesh mass_mesh(const partition::Communicator& comm, const Dynamics& dy
             cells.push_back({id, {id}, {global_entity(dynamics, e), coat.fragments()[e].value()}, {}});
         }
     }
-    const MeshLayout layout{geometry::CellKind::point, dynamics.network().block().entity_count(), Hexahedron::corners,
-                            Hexahedron::corners,       {"entity", "fragment"},                    {}};
+    const MeshLayout layout{geometry::CellKind::point, dynamics.network().block().entity_count(),
+                            Hexahedron::corners,       Hexahedron::corners,
+                            {"entity", "fragment"},    {}};
     return assemble(comm, layout, points, cells);
 }
 

@@ -13,13 +13,13 @@ namespace cracksim::simulation {
 enum class Faces { all_free, crack_only };
 
 /// Free faces at the current positions of their corners, one point a topological vertex.
-[[nodiscard]] geometry::Mesh surface_mesh(const partition::Communicator& comm, const Dynamics& dynamics, const Coat& coat,
-                                          const physics::Evolution& evolution, Faces faces);
+[[nodiscard]] geometry::Mesh surface_mesh(const partition::Communicator& comm, const Dynamics& dynamics,
+                                          const Coat& coat, const physics::Evolution& evolution, Faces faces);
 /// One point a mass.
 [[nodiscard]] geometry::Mesh mass_mesh(const partition::Communicator& comm, const Dynamics& dynamics, const Coat& coat,
                                        const physics::Evolution& evolution);
 /// Every face of every cell, drawn towards its cell's centre, with `sewn`.
-[[nodiscard]] geometry::Mesh topology_mesh(const partition::Communicator& comm, const Dynamics& dynamics, const Coat& coat,
-                                           const physics::Evolution& evolution);
+[[nodiscard]] geometry::Mesh topology_mesh(const partition::Communicator& comm, const Dynamics& dynamics,
+                                           const Coat& coat, const physics::Evolution& evolution);
 
 }  // namespace cracksim::simulation

@@ -42,7 +42,8 @@ std::vector<physics::Support> supports(const Scene& scene) {
 std::optional<std::string> finding(const physics::Network& network, const physics::Initial& initial) {
     if (network.invalid_threshold()) {
         return "sensors.threshold: " + *network.invalid_threshold() +
-               "; a threshold is a stretch above zero (.inf: never); change the expression so that it is positive everywhere";
+               "; a threshold is a stretch above zero (.inf: never); change the expression so that it is positive "
+               "everywhere";
     }
     if (auto conflict = physics::support_conflict(network)) {
         return "supports: " + *conflict + "; make the boxes disjoint or leave one component null";
@@ -52,8 +53,8 @@ std::optional<std::string> finding(const physics::Network& network, const physic
         const Vec3 u = initial.displacement(at);
         const Vec3 v = initial.velocity(at);
         if (!std::isfinite(dot(u, u)) || !std::isfinite(dot(v, v))) {
-            return "initial: the displacement or velocity at x = " + number(at.x) + ", y = " + number(at.y) + ", z = " +
-                   number(at.z) + " m is not a finite number; change the expression";
+            return "initial: the displacement or velocity at x = " + number(at.x) + ", y = " + number(at.y) +
+                   ", z = " + number(at.z) + " m is not a finite number; change the expression";
         }
     }
     return std::nullopt;
@@ -103,8 +104,8 @@ physics::Initial initial_fields(const Scene& scene) {
 
 physics::Network build_network(const partition::Communicator& comm, const Scene& scene,
                                const partition::Decomposition& decomposition) {
-    physics::Network network{scene.block, entity_model(scene), decomposition.entities, decomposition.owned,
-                             thresholds(scene), supports(scene)};
+    physics::Network network{scene.block,         entity_model(scene), decomposition.entities,
+                             decomposition.owned, thresholds(scene),   supports(scene)};
     if (const auto text = comm.first(finding(network, initial_fields(scene)))) {
         throw InputError{*text};
     }

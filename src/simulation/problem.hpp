@@ -14,8 +14,8 @@ namespace cracksim::simulation {
 struct CertifiedStep {
     double step;  ///< s
     physics::StepBound bound;
-    std::int64_t steps;  ///< to the end of the scene
-    std::string warning; ///< empty: the step keeps the usual distance from the bound
+    std::int64_t steps;   ///< to the end of the scene
+    std::string warning;  ///< empty: the step keeps the usual distance from the bound
 };
 
 /// Throws InputError for a step above the bound unless the scene allows it.

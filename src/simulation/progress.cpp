@@ -36,7 +36,8 @@ std::string duration_text(double s) {
         return formatted(s < 9.95 ? "%.1f s" : "%.0f s", s);
     }
     const auto whole = static_cast<long>(std::lround(s));
-    return whole < 6000 ? formatted("%ld min %ld s", whole / 60, whole % 60) : formatted("%ld h %ld min", whole / 3600, whole / 60 % 60);
+    return whole < 6000 ? formatted("%ld min %ld s", whole / 60, whole % 60)
+                        : formatted("%ld h %ld min", whole / 3600, whole / 60 % 60);
 }
 
 Progress::Progress(io::Log& log, ProgressStyle style) : log_{&log}, style_{style} {}
@@ -54,9 +55,10 @@ void Progress::heartbeat(const Simulation& simulation) {
     const double rate = static_cast<double>(step - last_step_) / seconds(now - last_);
     const auto left = static_cast<double>(simulation.certified().steps - step);
     const std::string line =
-        formatted("step %lld of %lld  t = %.4g s  %.0f steps/s  %.2f x real time  %lld splits  ", static_cast<long long>(step),
-                  static_cast<long long>(simulation.certified().steps), simulation.dynamics().state().time(), rate,
-                  rate * simulation.certified().step, static_cast<long long>(totals.splits)) +
+        formatted("step %lld of %lld  t = %.4g s  %.0f steps/s  %.2f x real time  %lld splits  ",
+                  static_cast<long long>(step), static_cast<long long>(simulation.certified().steps),
+                  simulation.dynamics().state().time(), rate, rate * simulation.certified().step,
+                  static_cast<long long>(totals.splits)) +
         bytes_text(memory) + "  " + duration_text(left / rate) + " left";
     style_ == ProgressStyle::live ? log_->live(line) : log_->info(line);
     last_ = now;

@@ -76,9 +76,15 @@ io::Summary::Counts counts(const Scene& scene) {
 io::Summary::Seconds seconds(const Simulation& simulation) {
     const Stopwatch& watch = simulation.stopwatch();
     const auto longest = [&](Phase phase) { return simulation.comm().max(watch.in(phase)); };
-    return {simulation.comm().max(watch.total()), longest(Phase::setup),    longest(Phase::force),
-            longest(Phase::update),               longest(Phase::sense),    longest(Phase::exchange),
-            longest(Phase::topology),             longest(Phase::geometry), longest(Phase::output)};
+    return {simulation.comm().max(watch.total()),
+            longest(Phase::setup),
+            longest(Phase::force),
+            longest(Phase::update),
+            longest(Phase::sense),
+            longest(Phase::exchange),
+            longest(Phase::topology),
+            longest(Phase::geometry),
+            longest(Phase::output)};
 }
 
 io::Summary::Memory memory(const Simulation& simulation) {
@@ -120,8 +126,12 @@ io::Summary summarize(const Simulation& simulation, std::vector<io::FrameSeries>
     }
     summary.provenance = provenance(simulation);
     summary.counts = counts(simulation.scene());
-    summary.time = {simulation.scene().time.scheme == physics::Scheme::ab2 ? "ab2" : "cordis", certified.step, certified.bound.step,
-                    certified.bound.cause, dynamics.state().step, dynamics.state().time()};
+    summary.time = {simulation.scene().time.scheme == physics::Scheme::ab2 ? "ab2" : "cordis",
+                    certified.step,
+                    certified.bound.step,
+                    certified.bound.cause,
+                    dynamics.state().step,
+                    dynamics.state().time()};
     summary.events = {totals.inactive_duplets, totals.splits};
     summary.event_hash = comm.sum(dynamics.event_hash());
     summary.state_hash = comm.sum(physics::state_hash(dynamics.network(), dynamics.state()));
@@ -147,19 +157,23 @@ std::vector<std::string> overview(const Simulation& simulation) {
     const io::Summary::Memory m = memory(simulation);
     const io::Summary::Exchange e = exchange(simulation);
     const auto entities = static_cast<double>(n.entities);
-    return {grouped(n.entities) + " entities, " + grouped(n.masses) + " masses in " + grouped(n.unions) + " Mass-unions, " +
-                grouped(n.interactions) + " interactions, " + grouped(n.duplets) + " duplets, " + grouped(n.darts) + " darts",
-            "time step " + number(c.step) + " s (" + number(100 * c.step / c.bound.step) + " % of the bound " + number(c.bound.step) +
-                " s set by " + c.bound.cause + "), " + grouped(c.steps) + " steps to t = " + number(simulation.scene().time.end) + " s",
-            std::to_string(simulation.comm().size()) + " rank(s), SIMD " + physics::simd_target_name() + "; model and map " +
-                bytes_text(m.per_entity * entities) + " in all, exchange " + bytes_text(e.bytes_per_step) + " a step"};
+    return {grouped(n.entities) + " entities, " + grouped(n.masses) + " masses in " + grouped(n.unions) +
+                " Mass-unions, " + grouped(n.interactions) + " interactions, " + grouped(n.duplets) + " duplets, " +
+                grouped(n.darts) + " darts",
+            "time step " + number(c.step) + " s (" + number(100 * c.step / c.bound.step) + " % of the bound " +
+                number(c.bound.step) + " s set by " + c.bound.cause + "), " + grouped(c.steps) +
+                " steps to t = " + number(simulation.scene().time.end) + " s",
+            std::to_string(simulation.comm().size()) + " rank(s), SIMD " + physics::simd_target_name() +
+                "; model and map " + bytes_text(m.per_entity * entities) + " in all, exchange " +
+                bytes_text(e.bytes_per_step) + " a step"};
 }
 
 std::vector<std::string> closing_lines(const io::Summary& s, const std::string& directory) {
-    std::vector<std::string> lines{
-        grouped(s.time.steps) + " steps in " + duration_text(s.seconds.total) + " (" + number(s.steps_per_second) + " steps/s, " +
-            number(s.times_real_time) + " x real time)",
-        grouped(s.events.splits) + " splits, " + grouped(s.fragments) + " fragment(s), crack area " + number(s.crack_area) + " m2"};
+    std::vector<std::string> lines{grouped(s.time.steps) + " steps in " + duration_text(s.seconds.total) + " (" +
+                                       number(s.steps_per_second) + " steps/s, " + number(s.times_real_time) +
+                                       " x real time)",
+                                   grouped(s.events.splits) + " splits, " + grouped(s.fragments) +
+                                       " fragment(s), crack area " + number(s.crack_area) + " m2"};
     std::string largest;
     for (std::size_t i = 0; i < std::min<std::size_t>(3, s.largest_fragments.size()); ++i) {
         largest += (i == 0 ? "" : ", ") + number(100 * s.largest_fragments[i].volume_share) + " %";

@@ -57,13 +57,14 @@ void RunFiles::frame(const Simulation& simulation) {
             switch (series.picture) {
                 case Picture::masses: return mass_mesh(comm, dynamics, simulation.coat(), evolution);
                 case Picture::topology: return topology_mesh(comm, dynamics, simulation.coat(), evolution);
-                case Picture::crack: return surface_mesh(comm, dynamics, simulation.coat(), evolution, Faces::crack_only);
+                case Picture::crack:
+                    return surface_mesh(comm, dynamics, simulation.coat(), evolution, Faces::crack_only);
                 case Picture::surface: break;
             }
             return surface_mesh(comm, dynamics, simulation.coat(), evolution, Faces::all_free);
         });
-        simulation.stopwatch().time(Phase::output,
-                                    [&] { series.writer->write(mesh, dynamics.state().step, dynamics.state().time()); });
+        simulation.stopwatch().time(
+            Phase::output, [&] { series.writer->write(mesh, dynamics.state().step, dynamics.state().time()); });
     }
 }
 
@@ -72,8 +73,8 @@ void RunFiles::history(const Simulation& simulation) {
     const Totals totals = simulation.totals();
     const Energies& energies = simulation.energies();
     simulation.stopwatch().time(Phase::output, [&] {
-        history_.write({state.step, state.time(), energies.kinetic, energies.elastic, energies.dissipated, energies.external,
-                        totals.inactive_duplets, totals.unions, simulation.coat().fragment_count(),
+        history_.write({state.step, state.time(), energies.kinetic, energies.elastic, energies.dissipated,
+                        energies.external, totals.inactive_duplets, totals.unions, simulation.coat().fragment_count(),
                         simulation.coat().component_count(), simulation.coat().crack_area()});
     });
 }

@@ -95,19 +95,23 @@ Network read_network(const InputNode& node) {
             {not_negative(diagonal.at("stiffness"), "N/m"), read_viscosity(diagonal)}};
 }
 
+/// Throws for values that only a mistaken unit can make, before they overflow somewhere.
 void check_range(const InputNode& node, const Network& network) {
-    const auto usable = [](double value) { return value == 0 || (value >= 1e-100 && value <= 1e100); };
-    const std::array<std::pair<const char*, double>, 5> values{
-        {{"a mass of {} kg", network.mass},
-         {"an edge stiffness of {} N/m", network.edge.stiffness},
-         {"a diagonal stiffness of {} N/m", network.diagonal.stiffness},
-         {"an edge viscosity of {} N s/m", network.edge.viscosity},
-         {"a diagonal viscosity of {} N s/m", network.diagonal.viscosity}}};
-    for (const auto& [name, value] : values) {
-        if (!usable(value) || (value == 0 && name == values[0].first)) {
-            std::string text{name};
-            text.replace(text.find("{}"), 2, io::exact(value));
-            node.fail("makes " + text + ", outside of 1e-100 to 1e100; check the units (SI) here and of block.edge");
+    struct Quantity {
+        const char* name;
+        const char* unit;
+        double value;
+        bool may_vanish;
+    };
+    const std::array<Quantity, 5> quantities{{{"a mass", "kg", network.mass, false},
+                                              {"an edge stiffness", "N/m", network.edge.stiffness, false},
+                                              {"a diagonal stiffness", "N/m", network.diagonal.stiffness, true},
+                                              {"an edge viscosity", "N s/m", network.edge.viscosity, true},
+                                              {"a diagonal viscosity", "N s/m", network.diagonal.viscosity, true}}};
+    for (const auto& [name, unit, value, may_vanish] : quantities) {
+        if (!(value >= 1e-100 && value <= 1e100) && !(may_vanish && value == 0)) {
+            node.fail("makes " + std::string{name} + " of " + rounded(value) + " " + unit +
+                      ", outside of 1e-100 to 1e100; check the units (SI) here and of block.edge");
         }
     }
 }

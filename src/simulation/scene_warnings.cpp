@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <iomanip>
+#include <sstream>
+
+#include "simulation/scene_values.hpp"
 
 namespace cracksim::simulation {
 
 namespace {
-
-std::string rounded(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
 
 void warn_of_thinness(const Scene& scene, std::vector<std::string>& warnings) {
     const auto thin = std::ranges::count(scene.block.cells(), 1);
@@ -52,8 +49,8 @@ bool has_masses_between(const Block& block, int axis, double lower, double upper
     const double origin = block.origin()[axis];
     const auto last = static_cast<double>(block.cells()[static_cast<std::size_t>(axis)]);
     const double first = std::clamp(std::floor((lower - origin) / edge) - 1, 0.0, last);
-    for (double i = first; i <= std::min(first + 3, last); ++i) {
-        const double at = origin + i * edge;
+    for (int i = 0; i <= 3; ++i) {
+        const double at = origin + std::min(first + i, last) * edge;
         if (lower <= at && at <= upper) {
             return true;
         }
@@ -67,11 +64,12 @@ void warn_of_empty_support(const Scene& scene, const Support& support, std::vect
             const double origin = scene.block.origin()[axis];
             const double edge = scene.block.edge()[axis];
             const double end = origin + static_cast<double>(scene.block.cells()[static_cast<std::size_t>(axis)]) * edge;
-            const std::string name{"xyz"[axis]};
-            warnings.push_back("supports: '" + support.name + "' holds nothing: masses rest at " + name + " = " +
-                               rounded(origin) + " to " + rounded(end) + " m, every " + rounded(edge) +
-                               " m, its box reaches from " + name + " = " + rounded(support.box[0][axis]) + " to " +
-                               rounded(support.box[1][axis]) + " m");
+            const char name = "xyz"[axis];
+            std::ostringstream text;
+            text << std::setprecision(3) << "supports: '" << support.name << "' holds nothing: masses rest at " << name
+                 << " = " << origin << " to " << end << " m, every " << edge << " m, its box reaches from " << name
+                 << " = " << support.box[0][axis] << " to " << support.box[1][axis] << " m";
+            warnings.push_back(text.str());
             return;
         }
     }

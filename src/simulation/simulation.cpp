@@ -16,10 +16,11 @@ std::string cause_of(const CertifiedStep& certified, bool finite) {
     std::ostringstream text;
     text << (finite ? "moves by more than 100 edges in a step" : "has a motion that is not a finite number") << "; ";
     if (certified.step > certified.bound.step) {
-        text << "likely cause: the time step " << certified.step << " s is above the largest stable step " << certified.bound.step
-             << " s; use time.step: auto";
+        text << "likely cause: the time step " << certified.step << " s is above the largest stable step "
+             << certified.bound.step << " s; use time.step: auto";
     } else {
-        text << "the time step is within its bound, so the likely cause is an initial or a support's velocity or displacement far "
+        text << "the time step is within its bound, so the likely cause is an initial or a support's velocity or "
+                "displacement far "
                 "above what the material can carry; lower it";
     }
     return text.str();
@@ -45,7 +46,8 @@ void Simulation::run(Observer& observer) {
         const std::int64_t step = dynamics_.state().step;
         const bool ends = step == 0 || step == certified_.steps;
         const bool measured = ends || history_schedule_.is_due(step);
-        if (measured || step % steps_between_checks == 0 || coat_schedule_.is_due(step) || frame_schedule_.is_due(step)) {
+        if (measured || step % steps_between_checks == 0 || coat_schedule_.is_due(step) ||
+            frame_schedule_.is_due(step)) {
             check_motion();
         }
         dynamics_.act(measured ? physics::Measure::elastic_energy : physics::Measure::nothing);
@@ -106,9 +108,9 @@ void Simulation::check_motion() const {
     const bool first_here = breakdown && breakdown->step == step;
     const std::int64_t mass = comm_->min(first_here ? breakdown->mass.value() : none);
     const bool finite = !comm_->any(first_here && breakdown->mass.value() == mass && !breakdown->finite);
-    throw InvalidRun{"the run became invalid at step " + std::to_string(step) + " (t = " +
-                         std::to_string(static_cast<double>(step) * certified_.step) + " s): mass " + std::to_string(mass) + " " +
-                         cause_of(certified_, finite),
+    throw InvalidRun{"the run became invalid at step " + std::to_string(step) +
+                         " (t = " + std::to_string(static_cast<double>(step) * certified_.step) + " s): mass " +
+                         std::to_string(mass) + " " + cause_of(certified_, finite),
                      step, MassId{mass}};
 }
 

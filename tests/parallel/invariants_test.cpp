@@ -52,7 +52,8 @@ private:
     void map_is_valid(const Simulation& s) {
         const auto reason = topology::validate(s.coat().map());
         EXPECT_FALSE(reason.has_value()) << *reason;
-        EXPECT_EQ(s.coat().map().dart_count(), 48 * static_cast<std::int64_t>(s.dynamics().decomposition().entities.size()));
+        EXPECT_EQ(s.coat().map().dart_count(),
+                  48 * static_cast<std::int64_t>(s.dynamics().decomposition().entities.size()));
     }
 
     void faces_are_sewn_exactly_while_corners_share_unions(const Simulation& s) {
@@ -70,7 +71,8 @@ private:
                     const int corner = Hexahedron::face[static_cast<std::size_t>(face)][k];
                     share = share && unions.slot(local_mass(e, corner)) == unions.slot((*met)[k]);
                 }
-                EXPECT_EQ(map.is_sewn(e, face), share) << "entity " << s.dynamics().network().entity(e).value() << " face " << face;
+                EXPECT_EQ(map.is_sewn(e, face), share)
+                    << "entity " << s.dynamics().network().entity(e).value() << " face " << face;
                 EXPECT_EQ(s.coat().opened_at(e, face) >= 0, !share);
             }
         }
@@ -132,7 +134,8 @@ TEST_P(CrackingBlock, KeepsAllInvariantsAfterEveryCoat) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Partitions, CrackingBlock,
-                         testing::Values(std::pair{"metis", "cordis"}, std::pair{"slab", "ab2"}, std::pair{"random", "cordis"}));
+                         testing::Values(std::pair{"metis", "cordis"}, std::pair{"slab", "ab2"},
+                                         std::pair{"random", "cordis"}));
 
 }  // namespace
 }  // namespace cracksim::simulation

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <set>
 
@@ -127,7 +128,7 @@ TEST(Audit, FindsADifferenceInOneBitOnOneRank) {
         const auto finding = audit.check_masses([&](LocalMass m) {
             MassView view = sound(block, d, m);
             if (world().is_root() && m == wrong) {
-                (motion ? view.motion_hash ^= 1 : view.motion_hash);
+                view.motion_hash ^= motion ? 1U : 0U;
                 view.mass_union += motion ? 0 : 1;
             }
             return view;

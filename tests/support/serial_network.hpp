@@ -28,8 +28,12 @@ struct SerialBlock {
             ids.push_back(e);
         }
         const std::size_t count = ids.size();
-        return {block(),    model(), IdArray<LocalEntity, EntityId>{std::move(ids)}, IdArray<LocalEntity, std::uint8_t>(count, 1),
-                thresholds, supports};
+        return {block(),
+                model(),
+                IdArray<LocalEntity, EntityId>{std::move(ids)},
+                IdArray<LocalEntity, std::uint8_t>(count, 1),
+                thresholds,
+                supports};
     }
 };
 

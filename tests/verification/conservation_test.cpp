@@ -45,7 +45,8 @@ test::SerialBlock cracking_block(double threshold, double beta) {
 /// Stretching along x and y and some shear, of a given strain rate.
 std::function<Vec3(Vec3)> expansion(double rate) {
     return [rate](Vec3 x) {
-        return Vec3{rate * (x.x - 6) + 0.3 * rate * x.y, rate * (x.y - 6) * (1 + 0.1 * x.x), rate * 0.5 * (x.z - 3) * (x.x - 6) / 6};
+        return Vec3{rate * (x.x - 6) + 0.3 * rate * x.y, rate * (x.y - 6) * (1 + 0.1 * x.x),
+                    rate * 0.5 * (x.z - 3) * (x.x - 6) / 6};
     };
 }
 
@@ -97,7 +98,8 @@ TEST(LinearInvariant, NeverGrowsThroughSplits) {
                                            lowest = std::min(lowest, now);
                                            growth = std::max(growth, (now - lowest) / first);
                                        });
-        std::cout << "beta " << beta << ": " << splits << " splits, relative growth " << growth << ", left " << lowest / first << '\n';
+        std::cout << "beta " << beta << ": " << splits << " splits, relative growth " << growth << ", left "
+                  << lowest / first << '\n';
         EXPECT_GE(splits, 1000U);
         EXPECT_LT(growth, 1e-12);
         EXPECT_GT(lowest, 0);

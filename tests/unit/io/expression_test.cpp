@@ -119,6 +119,7 @@ TEST(Expression, TextReadsBackAsTheSameExpression) {
         EXPECT_EQ(Expression{Expression{number}.text()}(here, now), number);
     }
     EXPECT_EQ(Expression{std::string{"x + 1"}}.text(), "x + 1");
+    EXPECT_EQ(Expression{std::string{"2.50e-1"}}.text(), "0.25");
     EXPECT_EQ(Expression{std::numeric_limits<double>::infinity()}.text(), ".inf");
 }
 

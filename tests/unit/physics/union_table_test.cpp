@@ -76,6 +76,9 @@ TEST(UnionTable, OfABlockLiesInRunsAlongItsRows) {
         runs += unions.batch_runs()[batch] == 0xff ? 1 : 0;
     }
     EXPECT_EQ(runs, 4 * 64 / UnionTable::lanes);
+    for (std::size_t batch = 0; batch < unions.batches(); ++batch) {
+        EXPECT_EQ(unions.batch_adds_by_corner()[batch] != 0, unions.batch_runs()[batch] == 0xff);
+    }
 }
 
 }  // namespace

@@ -192,7 +192,8 @@ TEST(ReadScene, RefusesWrongValues) {
          "a.yaml:4:1: material: needs cubes, but block.edge is 0.01 x 0.01 x 0.02 m: no 16 interactions make other "
          "boxes isotropic; use "
          "equal edges, or `network` in place of `material`"},
-        {{"network.mass=1"}, "--set network.mass: material and network exclude each other; remove one of the two"},
+        {{"network.mass=1"},
+         "--set network.mass: network: material and network exclude each other; remove one of the two"},
         {{"duplets=tree"}, "--set duplets: not available in cracksim 0.1; 'tree' comes later; take corners"},
         {{"duplets=none"}, "--set duplets: does not know 'none'; take one of corners"},
         {{"sensors.kind=wide"}, "--set sensors.kind: not available in cracksim 0.1; 'wide' comes later; take normal"},
@@ -264,7 +265,7 @@ TEST(ReadScene, ErrorsInTheFileNameLineAndColumn) {
               "a.yaml:2:3: block.cels: unknown key; did you mean 'cells'?");
     EXPECT_EQ(error_of(replaced(minimal, "0.01", "thin")), "a.yaml:3:9: block.edge: needs a number, not 'thin'");
     EXPECT_EQ(error_of(replaced(minimal, "1000", "-5")),
-              "a.yaml:4:32: material.density: must be above 0 kg/m3, not '-5'");
+              "a.yaml:4:35: material.density: must be above 0 kg/m3, not '-5'");
     EXPECT_EQ(error_of(replaced(minimal, "end: 1.0", "stop: 1.0")),
               "a.yaml:6:8: time.stop: unknown key; did you mean 'step'?");
     EXPECT_EQ(error_of(minimal + "checkpoint: {every: 600}\n"),
@@ -299,7 +300,7 @@ TEST(ReadScene, RefusesWrongNetworks) {
     EXPECT_EQ(error("stiffness: 4", "stiffness: 0"),
               "a.yaml:4:38: network.edge.stiffness: must be above 0 N/m, not '0'");
     EXPECT_EQ(error("stiffness: 6", "stiffness: -6"),
-              "a.yaml:4:79: network.diagonal.stiffness: must be 0 N/m or above, not '-6'");
+              "a.yaml:4:78: network.diagonal.stiffness: must be 0 N/m or above, not '-6'");
     EXPECT_EQ(error("viscosity: 0", "viscosity: -1"),
               "a.yaml:4:52: network.edge.viscosity: must be 0 N s/m or above, not '-1'");
     EXPECT_EQ(error("viscosity", "viscousity"),
