@@ -10,6 +10,8 @@ namespace cracksim::io {
 
 namespace {
 
+constexpr std::chrono::seconds longest_without_index{1};
+
 std::string frame_file(const std::string& name, std::size_t number) {
     std::string digits = std::to_string(number);
     digits.insert(0, digits.size() < 6 ? 6 - digits.size() : 0, '0');
@@ -33,7 +35,10 @@ FrameRecord FrameWriter::write(const geometry::Mesh& mesh, std::int64_t step, do
                              .cells = agreed_layout(*comm_, mesh)};
     write_file(mesh, frame);
     frames_.push_back(frame);
-    write_index();
+    const bool index_is_old = std::chrono::steady_clock::now() - indexed_at_ >= longest_without_index;
+    if (comm_->any(comm_->is_root() && (indexed_frames_ == 0 || index_is_old))) {
+        finish_index();
+    }
     return frame.record;
 }
 
@@ -60,11 +65,16 @@ void FrameWriter::write_whole(const geometry::Mesh& mesh, const IndexedFrame& fr
     on_root(*comm_, [&] { write_vtkhdf(partition::Communicator{MPI_COMM_SELF}, file, whole, frame); });
 }
 
-void FrameWriter::write_index() const {
+void FrameWriter::finish_index() {
+    if (indexed_frames_ == frames_.size()) {
+        return;
+    }
     on_root(*comm_, [&] {
         write_text(directory_ / (name_ + ".xdmf"), xdmf_text(name_, frames_));
         write_text(directory_ / (name_ + ".hdf.series"), series_text(frames_));
     });
+    indexed_frames_ = frames_.size();
+    indexed_at_ = std::chrono::steady_clock::now();
 }
 
 FrameSeries FrameWriter::series() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -30,6 +31,10 @@ public:
     /// it): the record is then not written(). Throws FileError on all ranks alike. Collective.
     FrameRecord write(const geometry::Mesh& mesh, std::int64_t step, double time);
 
+    /// Brings NAME.xdmf and NAME.hdf.series up to date with the last frame. While frames follow each other quickly write() does
+    /// so once a second only, because the index lists all frames and is written whole. Collective.
+    void finish_index();
+
     [[nodiscard]] const std::string& name() const { return name_; }
     /// All frames so far, on every rank.
     [[nodiscard]] FrameSeries series() const;
@@ -37,13 +42,14 @@ public:
 private:
     void write_file(const geometry::Mesh& mesh, const IndexedFrame& frame) const;
     void write_whole(const geometry::Mesh& mesh, const IndexedFrame& frame, const std::filesystem::path& file) const;
-    void write_index() const;
 
     const partition::Communicator* comm_;
     std::filesystem::path directory_;
     std::string name_;
     std::int64_t gather_below_;
     std::vector<IndexedFrame> frames_;
+    std::chrono::steady_clock::time_point indexed_at_;
+    std::size_t indexed_frames_{0};
 };
 
 }  // namespace cracksim::io

@@ -66,9 +66,11 @@ void run_with_files(const partition::Communicator& comm, Simulation& simulation,
         simulation.run(files);
     } catch (const InvalidRun& invalid) {
         log.error(invalid.what());
+        files.finish();
         write(summarize(simulation, files.frames(), &invalid));
         throw;
     }
+    files.finish();
     const io::Summary summary = summarize(simulation, files.frames(), nullptr);
     write(summary);
     for (const std::string& line : closing_lines(summary, directory.path().string())) {
@@ -102,7 +104,7 @@ int execute(const partition::Communicator& comm, const CommandLine& command) {
         log.info(line);
     }
     for (const std::string& warning : warnings(scene, simulation->certified())) {
-        log.warn("warning: " + warning);
+        log.warn(warning);
     }
     if (!command.dry_run) {
         run_with_files(comm, *simulation, directory, log, command.progress);

@@ -81,6 +81,12 @@ void RunFiles::history(const Simulation& simulation) {
 
 void RunFiles::heartbeat(const Simulation& simulation) { progress_->heartbeat(simulation); }
 
+void RunFiles::finish() {
+    for (const Series& series : series_) {
+        series.writer->finish_index();
+    }
+}
+
 std::vector<io::FrameSeries> RunFiles::frames() const {
     std::vector<io::FrameSeries> all;
     for (const Series& series : series_) {

@@ -24,6 +24,8 @@ public:
     void history(const Simulation& simulation) override;
     void heartbeat(const Simulation& simulation) override;
 
+    /// Completes the files that list others, at the end of a run. Collective.
+    void finish();
     [[nodiscard]] std::vector<io::FrameSeries> frames() const;
 
 private:

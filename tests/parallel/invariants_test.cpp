@@ -26,7 +26,7 @@ std::string scene_text(const std::string& partition, const std::string& scheme, 
            "sensors: {threshold: 0.03, weibull: {shape: 4, seed: " +
            std::to_string(seed) +
            "}}\n"
-           "initial: {velocity: ['4*(x-0.05)', '3*(y-0.045)*(1+x/0.1)', '0.8*sin(60*x)*cos(50*y)']}\n"
+           "initial: {velocity: ['9*(x-0.05)', '7*(y-0.045)*(1+x/0.1)', '0.8*sin(60*x)*cos(50*y)']}\n"
            "supports: [{name: corner, where: {box: [[-1, -1, -1], [0.011, 0.011, 0.011]]}, velocity: [0, null, 0]}]\n"
            "time: {end: 0.1, scheme: " +
            scheme + "}\ncoat: {rate: 400}\noutput: {rate: 0}\npartition: {kind: " + partition + "}\n";

@@ -128,7 +128,7 @@ def unstable_run_returns_3(workplace, quick):
     kick = {"velocity": ["0.01*sin(300*x+200*y)", "0.01*sin(250*z)", 0]}
     stable = cracking_scene(sensors=intact, initial=kick)
     bound = summary(workplace.finished(stable))["time"]["bound"]
-    step = 1.5 * bound
+    step = 3 * bound
     scene = cracking_scene(sensors=intact, initial=kick, output={"rate": 0.2 / step, "surface": True},
                            time={"end": 20000 * step, "step": step, "allow_unstable": True})
     for ranks in (2,) if quick else (1, 2, 3):

@@ -30,6 +30,9 @@ void write_run(const Communicator& comm, const char* path) {
         masses.write(io::point_mesh(comm, 100 + k), 21 * k, time);
         topology.write(io::strip_mesh(comm, 30 - k, 0.3), 21 * k, time);
     }
+    for (io::FrameWriter* writer : {&surface, &crack, &masses, &topology}) {
+        writer->finish_index();
+    }
     io::Summary summary;
     summary.provenance = io::collect_provenance();
     summary.frames = {surface.series(), crack.series(), masses.series(), topology.series()};

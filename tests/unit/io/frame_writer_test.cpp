@@ -105,6 +105,7 @@ TEST_P(FrameWriting, IndexesListAllFramesWithTheirTimesAndSizes) {
     surface_.write(strip_mesh(world(), 2, 0), 0, 0);
     surface_.write(strip_mesh(world(), 0, 0), 5, 0.05);
     surface_.write(strip_mesh(world(), 3, 0), 10, 0.1);
+    surface_.finish_index();
     const nlohmann::json series = nlohmann::json::parse(text_of(scratch_ / "surface.hdf.series"));
     ASSERT_EQ(series["files"].size(), 2U);
     EXPECT_EQ(series["files"][1]["name"], "frames/surface-000001.hdf");
