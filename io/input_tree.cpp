@@ -88,9 +88,11 @@ std::vector<std::string> split_path(std::string_view path) {
 
 }  // namespace
 
-void InputNode::fail(const std::string& why) const {
+void InputNode::fail(const std::string& why) const { throw InputError{place() + why}; }
+
+std::string InputNode::place() const {
     const bool setting_says_path = path_.empty() || raw_->place == "--set " + path_;
-    throw InputError{raw_->place + ": " + (setting_says_path ? "" : path_ + ": ") + why};
+    return raw_->place + ": " + (setting_says_path ? "" : path_ + ": ");
 }
 
 std::string InputNode::shown() const {

@@ -22,6 +22,8 @@ public:
 
     /// Throws InputError for this value, with place and path in front of the text.
     [[noreturn]] void fail(const std::string& why) const;
+    /// What every message about this value begins with: "file:line:column: key.path: ".
+    [[nodiscard]] std::string place() const;
 
     /// The value as an error message shows it: 'text', "a list", "a map", or "null".
     [[nodiscard]] std::string shown() const;

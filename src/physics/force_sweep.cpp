@@ -100,9 +100,9 @@ HWY_INLINE unsigned Exceeded(V longest, const double* limit) {
     return bits[0];
 }
 
-/// Forces and sums of the entities from e on, whose batch's runs are given.
+/// Forces and sums of the entities from e on, whose batch's runs are given. Not inline: it is large and called from two loops.
 template <bool kMeasure>
-HWY_INLINE void Interact(const ForceSweepView& v, std::size_t e, unsigned runs, Corners& x, Sums& sums) {
+HWY_NOINLINE void Interact(const ForceSweepView& v, std::size_t e, unsigned runs, Corners& x, Sums& sums) {
     const D d;
     for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
         const bool run = ((runs >> c) & 1U) != 0;

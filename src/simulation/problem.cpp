@@ -39,21 +39,22 @@ std::vector<physics::Support> supports(const Scene& scene) {
 }
 
 /// The first thing that is wrong with this rank's part of the problem.
-std::optional<std::string> finding(const physics::Network& network, const physics::Initial& initial) {
+std::optional<std::string> finding(const physics::Network& network, const physics::Initial& initial,
+                                   const Places& places) {
     if (network.invalid_threshold()) {
-        return "sensors.threshold: " + *network.invalid_threshold() +
+        return places.threshold + *network.invalid_threshold() +
                "; a threshold is a stretch above zero (.inf: never); change the expression so that it is positive "
                "everywhere";
     }
     if (auto conflict = physics::support_conflict(network)) {
-        return "supports: " + *conflict + "; make the boxes disjoint or leave one component null";
+        return places.supports + *conflict + "; make the boxes disjoint or leave one component null";
     }
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
         const Vec3 at = network.rest_position(m);
         const Vec3 u = initial.displacement(at);
         const Vec3 v = initial.velocity(at);
         if (!std::isfinite(dot(u, u)) || !std::isfinite(dot(v, v))) {
-            return "initial: the displacement or velocity at x = " + number(at.x) + ", y = " + number(at.y) +
+            return places.initial + "the displacement or velocity at x = " + number(at.x) + ", y = " + number(at.y) +
                    ", z = " + number(at.z) + " m is not a finite number; change the expression";
         }
     }
@@ -74,9 +75,9 @@ CertifiedStep certify_step(const Scene& scene) {
     const double step = scene.time.step.value_or(automatic);
     CertifiedStep certified{step, bound, static_cast<std::int64_t>(std::ceil(scene.time.end / step * (1 - 1e-12))), ""};
     if (step > bound.step && !scene.time.allow_unstable) {
-        throw InputError{"time.step: " + number(step) + " s is above the largest stable step " + number(bound.step) +
-                         " s (set by the " + bound.cause + " of an entity); use at most " + number(automatic) +
-                         " s or `auto`, or say time.allow_unstable: true"};
+        throw InputError{scene.places.step + number(step) + " s is above the largest stable step " +
+                         number(bound.step) + " s (set by the " + bound.cause + " of an entity); use at most " +
+                         number(automatic) + " s or `auto`, or say time.allow_unstable: true"};
     }
     if (step > bound.step) {
         certified.warning = "time.step " + number(step) + " s is above the largest stable step " + number(bound.step) +
@@ -106,7 +107,7 @@ physics::Network build_network(const partition::Communicator& comm, const Scene&
                                const partition::Decomposition& decomposition) {
     physics::Network network{scene.block,         entity_model(scene), decomposition.entities,
                              decomposition.owned, thresholds(scene),   supports(scene)};
-    if (const auto text = comm.first(finding(network, initial_fields(scene)))) {
+    if (const auto text = comm.first(finding(network, initial_fields(scene), scene.places))) {
         throw InputError{*text};
     }
     return network;

@@ -73,6 +73,14 @@ struct Output {
     bool topology;
 };
 
+/// Where the input says what may turn out wrong only when the block is built: the beginnings of messages about it.
+struct Places {
+    std::string threshold;
+    std::string initial;
+    std::string supports;
+    std::string step;
+};
+
 /// What an input means, in SI, with all defaults filled in. Made by read_scene and not changed afterwards.
 struct Scene {
     std::string title;
@@ -88,6 +96,7 @@ struct Scene {
     Output output;
     double history_rate;  ///< Hz; 0: never
     PartitionKind partition;
+    Places places;
     std::vector<std::string> warnings;  ///< for the user: what is allowed but probably not wanted
 };
 

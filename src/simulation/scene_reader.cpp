@@ -173,6 +173,15 @@ Duplets read_duplets(const InputNode& root) {
     return node ? enumerator(*node, kinds, later) : Duplets::corners;
 }
 
+Places read_places(const InputNode& root) {
+    const auto place = [&](std::string_view section, std::string_view key) {
+        const MaybeNode node = root.find(section);
+        const MaybeNode value = key.empty() ? node : find(node, key);
+        return value ? value->place() : node ? node->place() : root.place();
+    };
+    return {place("sensors", "threshold"), place("initial", ""), place("supports", ""), place("time", "step")};
+}
+
 Scene scene_of(const InputNode& root) {
     if (const MaybeNode checkpoint = root.find("checkpoint")) {
         refuse_for_now(*checkpoint, "runs cannot be saved and restarted yet: remove the key");
@@ -195,6 +204,7 @@ Scene scene_of(const InputNode& root) {
                 .output = read_output(root),
                 .history_rate = read_rate(root, "history", 200, true),
                 .partition = read_partition(root),
+                .places = read_places(root),
                 .warnings = {}};
     scene.warnings = find_warnings(scene);
     return scene;

@@ -23,10 +23,11 @@ const partition::Communicator& world() {
 std::string scene_text(const std::string& partition, const std::string& scheme, int seed) {
     return "block: {entity: hexahedron, cells: [10, 9, 5], edge: 0.01}\n"
            "material: {young: 2.0e4, density: 1000, damping: 0.2}\n"
-           "sensors: {threshold: 0.03, weibull: {shape: 4, seed: " +
+           "sensors: {threshold: '0.03*(1 - 0.9*max(exp(-1e5*(x-0.03)^2), exp(-1e5*(y-0.05)^2)))', weibull: {shape: 4, "
+           "seed: " +
            std::to_string(seed) +
            "}}\n"
-           "initial: {velocity: ['9*(x-0.05)', '7*(y-0.045)*(1+x/0.1)', '0.8*sin(60*x)*cos(50*y)']}\n"
+           "initial: {velocity: ['5*(x-0.05)', '4*(y-0.045)*(1+x/0.1)', '0.8*sin(60*x)*cos(50*y)']}\n"
            "supports: [{name: corner, where: {box: [[-1, -1, -1], [0.011, 0.011, 0.011]]}, velocity: [0, null, 0]}]\n"
            "time: {end: 0.1, scheme: " +
            scheme + "}\ncoat: {rate: 400}\noutput: {rate: 0}\npartition: {kind: " + partition + "}\n";
