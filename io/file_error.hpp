@@ -2,15 +2,16 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
+
+#include "core/errors.hpp"
 
 namespace cracksim::io {
 
 /// A file could not be read or written (exit code 1). The text names the file, the operation and the cause.
-class FileError : public std::runtime_error {
+class FileError : public SharedError {
 public:
-    FileError(const std::string& text, bool disk_full) : std::runtime_error{text}, disk_full_{disk_full} {}
+    FileError(const std::string& text, bool disk_full) : SharedError{text}, disk_full_{disk_full} {}
 
     [[nodiscard]] bool disk_full() const { return disk_full_; }
 

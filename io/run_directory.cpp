@@ -1,5 +1,7 @@
 #include "io/run_directory.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -42,7 +44,8 @@ const std::string other_directory = "name another directory with --out";
 bool writable(const fs::path& directory) { return ::access(directory.c_str(), W_OK | X_OK) == 0; }
 
 Problem problem_of_parent(const fs::path& path) {
-    const fs::path parent = fs::absolute(path).parent_path();
+    const fs::path absolute = fs::absolute(path);
+    const fs::path parent = (absolute.has_filename() ? absolute : absolute.parent_path()).parent_path();
     std::error_code error;
     const fs::file_status status = fs::status(parent, error);
     if (status.type() == fs::file_type::not_found) {
@@ -58,6 +61,13 @@ Problem problem_of_parent(const fs::path& path) {
     return std::nullopt;
 }
 
+/// A lock on the directory's marker; not held if another process has it.
+RunLock lock_of(const fs::path& directory) {
+    const int descriptor = ::open((directory / marker).c_str(), O_RDWR | O_CLOEXEC);
+    RunLock lock{descriptor};
+    return descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 ? std::move(lock) : RunLock{};
+}
+
 Problem problem_of_directory(const fs::path& path) {
     std::error_code error;
     if (!writable(path)) {
@@ -69,6 +79,14 @@ Problem problem_of_directory(const fs::path& path) {
     }
     if (!empty && !fs::exists(path / marker, error)) {
         return problem(path, "it is not empty and was not made by cracksim", other_directory + ", or empty it");
+    }
+    if (const RunLock lock = lock_of(path); !empty && !lock.held()) {
+        return problem(path, "another run is writing to it", "wait for its end, or " + other_directory);
+    }
+    for (const std::string_view name : single_files) {
+        if (fs::is_directory(path / name, error)) {
+            return problem(path, std::string{name} + " in it is a directory", "remove it, or " + other_directory);
+        }
     }
     if (fs::exists(path / "frames", error) && !fs::is_directory(path / "frames", error)) {
         return problem(path, "frames in it is not a directory", "remove it, or " + other_directory);
@@ -106,6 +124,12 @@ void remove_files(const fs::path& directory, bool (*is_ours)(std::string_view)) 
 
 }  // namespace
 
+RunLock::~RunLock() {
+    if (descriptor_ >= 0) {
+        ::close(descriptor_);
+    }
+}
+
 bool is_run_file(std::string_view name) {
     const std::string_view finished = without_ending(name, unfinished_ending);
     if (std::ranges::find(single_files, finished) != single_files.end()) {
@@ -138,15 +162,20 @@ void RunDirectory::check(const partition::Communicator& comm) const {
 }
 
 // The marker goes first: if this run is killed right here, the next one may still use the directory.
-void RunDirectory::prepare(const partition::Communicator& comm) const {
+RunLock RunDirectory::prepare(const partition::Communicator& comm) const {
     check(comm);
+    RunLock lock;
     on_root(comm, [&] {
         fs::create_directory(path_);
-        write_text(path_ / marker, marker_text);
+        if (!fs::exists(path_ / marker)) {
+            write_text(path_ / marker, marker_text);
+        }
+        lock = lock_of(path_);
         fs::create_directory(path_ / "frames");
         remove_files(path_, is_run_file);
         remove_files(path_ / "frames", is_frame_file);
     });
+    return lock;
 }
 
 }  // namespace cracksim::io

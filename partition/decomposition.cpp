@@ -1,7 +1,12 @@
 #include "partition/decomposition.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <numeric>
+#include <optional>
+#include <string>
+
+#include "core/errors.hpp"
 
 namespace cracksim::partition {
 
@@ -9,8 +14,16 @@ namespace {
 
 std::vector<Rank> owners_on_all_ranks(const Communicator& comm, const Block& block, const Partitioner& partitioner) {
     std::vector<Rank> owner;
-    if (comm.is_root()) {
-        owner = partitioner(block, comm.size());
+    std::optional<std::string> problem;
+    try {
+        if (comm.is_root()) {
+            owner = partitioner(block, comm.size());
+        }
+    } catch (const std::exception& error) {
+        problem = error.what();
+    }
+    if (const auto said = comm.first(problem)) {
+        throw SharedError{*said};
     }
     owner.resize(static_cast<std::size_t>(block.entity_count()));
     static_assert(sizeof(Rank) == sizeof(std::int32_t));

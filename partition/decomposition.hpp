@@ -21,7 +21,7 @@ struct Decomposition {
     [[nodiscard]] std::int64_t owned_count() const;
 };
 
-/// Collective. The partitioner runs on the root.
+/// Collective. The partitioner runs on the root; what it throws becomes a SharedError.
 [[nodiscard]] Decomposition decompose(const Communicator& comm, const Block& block, const Partitioner& partitioner);
 
 }  // namespace cracksim::partition

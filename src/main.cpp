@@ -31,8 +31,15 @@ int main(int argc, char** argv) {
         return 2;
     } catch (const InvalidRun&) {
         return 3;
-    } catch (const std::exception& error) {
+    } catch (const SharedError& error) {
         say(error.what());
+        return 1;
+    } catch (const std::exception& error) {
+        // The other ranks know nothing of this and would wait for ever.
+        std::fprintf(stderr, "cracksim: rank %d: %s\n", comm.rank().value(), error.what());
+        if (comm.size() > 1) {
+            partition::Session::abort(1);
+        }
         return 1;
     }
 }

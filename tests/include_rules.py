@@ -18,7 +18,7 @@ SEES = {
     "partition": ["core"],
     "io": ["core", "physics/events.hpp", "physics/evolution.hpp", "geometry/mesh.hpp", "partition/communicator.hpp"],
     "simulation": ["core", "physics", "topology", "geometry", "partition", "io"],
-    "main": ["core", "simulation", "partition/session.hpp", "io/log.hpp"],
+    "main": ["core", "simulation", "partition/session.hpp"],
     "tests": ["core", "physics", "topology", "geometry", "partition", "io", "simulation"],
 }
 

@@ -15,6 +15,13 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// Something else that ends a run (exit code 1): a full disk, a failed audit, a library. Thrown on all ranks alike, so that they
+/// end together; an exception of another type is one rank's own, and that rank must stop the others.
+class SharedError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
 /// The run became invalid: non-finite or exploding motion (exit code 3). Thrown on all ranks alike.
 class InvalidRun : public std::runtime_error {
 public:

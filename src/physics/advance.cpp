@@ -141,7 +141,10 @@ void advance(const Network& network, State& state) {
     AdvanceView view = view_of(network, state);
     HWY_DYNAMIC_DISPATCH(Advance)(view);
     put_held_right(network, state, before);
-    if (view.broken && !state.breakdown) {
+    const bool held_broken = std::ranges::any_of(state.held, [&](const Held& held) {
+        return !makes_sense(state.increment[held.slot.index()], longest_increment(network));
+    });
+    if ((view.broken || held_broken) && !state.breakdown) {
         const Breakdown found = find_breakdown(network, state);
         if (found.mass != MassId{}) {
             state.breakdown = found;

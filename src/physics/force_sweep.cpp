@@ -64,12 +64,13 @@ HWY_INLINE void AddInteraction(const InteractionConstants& c, Corners& x, Sums& 
     // One division serves both 1/|d| and 1/(|d| + L0).
     const V both = hn::Div(hn::Set(d, 1.0), hn::Mul(length, sum));
     const V inverse_length = hn::Mul(sum, both);
-    const V elongation = hn::Mul(Dot(twice, du), hn::Mul(length, both));
+    // A vanished length has no direction, and its elongation is all of L0; a length that is not a number must stay one.
+    const auto vanished = hn::Lt(squared, hn::Set(d, c.tiny_squared));
+    const V elongation =
+        hn::IfThenElse(vanished, hn::Set(d, -c.rest_length), hn::Mul(Dot(twice, du), hn::Mul(length, both)));
     const V rate = hn::Mul(Dot(dw, dist), inverse_length);
     const V drag = hn::Mul(hn::Set(d, c.viscosity_rate), rate);
     const V tension = hn::MulAdd(hn::Set(d, c.stiffness), elongation, drag);
-    // A vanished length has no direction; a length that is not a number must stay one.
-    const auto vanished = hn::Lt(squared, hn::Set(d, c.tiny_squared));
     const V factor = hn::IfThenZeroElse(vanished, hn::Mul(tension, inverse_length));
     for (int i = 0; i < 3; ++i) {
         x.f[a][i] = hn::MulAdd(factor, dist[i], x.f[a][i]);
@@ -261,7 +262,11 @@ void accumulate_forces(const Network& network, State& state, Measure measure) {
     } else {
         HWY_DYNAMIC_DISPATCH(Sweep)(view);
     }
-    state.dissipated += view.dissipated;
+    if (state.step > 0 && state.step == state.last_sweep + 1) {
+        state.dissipated += 0.5 * (state.last_dissipation + view.dissipated);
+    }
+    state.last_dissipation = view.dissipated;
+    state.last_sweep = state.step;
 }
 
 std::array<Vec3, Hexahedron::corners> entity_forces(const Network& network, const State& state, LocalEntity e) {

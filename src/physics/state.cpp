@@ -92,7 +92,6 @@ void start(const Network& network, const Initial& initial, State& state) {
         velocity.set(s.index(), dt * initial.velocity(rest));
     });
     accumulate_forces(network, state, Measure::nothing);
-    state.dissipated = 0;
     for (Slot s = state.unions.first_advanced(); s < state.unions.end(); ++s) {
         const Vec3 v0 = velocity[s.index()];
         const Vec3 a0 = state.mobility[s.index()] * state.force[s.index()];

@@ -53,9 +53,11 @@ struct State {
     Sensing sensing;
     std::vector<Held> held;
     std::vector<std::int32_t> held_of_slot;  ///< index into held, -1 if free
-    double dissipated{0};                    ///< J, by the owned entities so far
-    double external{0};                      ///< J, work of the supports on the unions that this rank owns so far
-    double elastic{0};                       ///< J, of the owned entities at the last measured sweep
+    double last_dissipation{0};              ///< J, z (v.n)^2 dt of the last sweep
+    std::int64_t last_sweep{-1};             ///< its step
+    double dissipated{0};  ///< J, by the owned entities since step 0: the trapezoidal sum of z (v.n)^2 dt
+    double external{0};    ///< J, work of the supports on the unions that this rank owns so far
+    double elastic{0};     ///< J, of the owned entities at the last measured sweep
     std::optional<Breakdown> breakdown;
 
     /// What damping takes for dt v: w, or its extrapolation with ab2.

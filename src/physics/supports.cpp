@@ -63,6 +63,16 @@ std::optional<std::string> support_conflict(const Network& network) {
     return std::nullopt;
 }
 
+namespace {
+
+/// A support's velocity at a time; before the start, where its expression need not make sense, by the line through its values at 0
+/// and as long after the start.
+double velocity_at(const std::function<double(Vec3, double)>& velocity, Vec3 rest, double t) {
+    return t >= 0 ? velocity(rest, t) : 2 * velocity(rest, 0) - velocity(rest, -t);
+}
+
+}  // namespace
+
 Vec3 prescribed(const Network& network, const State& state, Slot s, Vec3 free, double offset) {
     const std::int32_t index = state.held_of_slot[s.index()];
     if (index < 0) {
@@ -74,7 +84,7 @@ Vec3 prescribed(const Network& network, const State& state, Slot s, Vec3 free, d
         const int support = held.support[static_cast<std::size_t>(axis)];
         if (support >= 0) {
             const auto& velocity = network.supports()[static_cast<std::size_t>(support)].velocity;
-            free[axis] = state.step_size * velocity[static_cast<std::size_t>(axis)](held.rest, t);
+            free[axis] = state.step_size * velocity_at(velocity[static_cast<std::size_t>(axis)], held.rest, t);
         }
     }
     return free;

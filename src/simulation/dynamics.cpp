@@ -1,8 +1,8 @@
 #include "simulation/dynamics.hpp"
 
-#include <stdexcept>
 #include <utility>
 
+#include "core/errors.hpp"
 #include "partition/halo.hpp"
 #include "physics/advance.hpp"
 #include "physics/hashes.hpp"
@@ -40,7 +40,7 @@ Dynamics::Dynamics(const partition::Communicator& comm, const Scene& scene, doub
     : comm_{&comm},
       stopwatch_{&stopwatch},
       decomposition_{partition::decompose(comm, scene.block, partitioner(scene))},
-      network_{build_network(comm, scene, decomposition_)},
+      network_{(check_size(comm, decomposition_), build_network(comm, scene, decomposition_))},
       state_{network_, scene.time.scheme, step_size},
       plan_{motion_plan(comm, network_, decomposition_)},
       sent_{local_masses(decomposition_, plan_.sent())},
@@ -86,21 +86,22 @@ void Dynamics::act(physics::Measure measure) {
 
 void Dynamics::advance() {
     stopwatch_->time(Phase::update, [&] { physics::advance(network_, state_); });
-    stopwatch_->time(Phase::exchange, [&] { exchange(); });
 }
 
 void Dynamics::exchange() {
     if (comm_->size() == 1) {
         return;
     }
-    std::vector<Vec3> sent;
-    sent.reserve(sent_.size());
-    for (const LocalMass m : sent_) {
-        sent.push_back(state_.increment[state_.unions.slot(m).index()]);
-    }
-    std::vector<Vec3> received(network_.received().size());
-    plan_.exchange<Vec3>(sent, received);
-    physics::advance_received(state_, received);
+    stopwatch_->time(Phase::exchange, [&] {
+        std::vector<Vec3> sent;
+        sent.reserve(sent_.size());
+        for (const LocalMass m : sent_) {
+            sent.push_back(state_.increment[state_.unions.slot(m).index()]);
+        }
+        std::vector<Vec3> received(network_.received().size());
+        plan_.exchange<Vec3>(sent, received);
+        physics::advance_received(state_, received);
+    });
 }
 
 physics::Evolution Dynamics::evolution() const {
@@ -125,7 +126,8 @@ void Dynamics::audit(const partition::Audit& audit) const {
     std::vector<std::int32_t> reads(static_cast<std::size_t>(network_.mass_count()), 0);
     const auto& unions = state_.unions;
     for (physics::Slot s = unions.first_advanced(); s < unions.end(); ++s) {
-        unions.for_each_mass(s, [&](LocalMass m) { ++reads[m.index()]; });
+        // The sweep adds a mass's force where its slot says; the list of the union must agree.
+        unions.for_each_mass(s, [&](LocalMass m) { reads[m.index()] += unions.slot(m) == s ? 1 : 2; });
     }
     const auto view = [&](LocalMass m) {
         const physics::Slot s = unions.slot(m);
@@ -136,7 +138,7 @@ void Dynamics::audit(const partition::Audit& audit) const {
     for (const auto& finding :
          {audit.check_plan(plan_), audit.check_contributions(network_.block(), reads), audit.check_masses(view)}) {
         if (finding) {
-            throw std::runtime_error{"audit at step " + std::to_string(state_.step) + ": " + *finding};
+            throw SharedError{"audit at step " + std::to_string(state_.step) + ": " + *finding};
         }
     }
 }

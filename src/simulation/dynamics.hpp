@@ -19,7 +19,7 @@
 namespace cracksim::simulation {
 
 /// Where physics and partition meet: the network's motion on all ranks, step by step.
-/// A step is  act(); ... ; advance();  between the two, all is at state n.
+/// A step is  act(); ... ; advance(); exchange();  between act and advance, all is at state n.
 class Dynamics {
 public:
     /// Collective. Throws InputError on all ranks alike. comm and stopwatch must outlive this.
@@ -27,8 +27,10 @@ public:
 
     /// Forces, sensing and splits at the current state. No communication.
     void act(physics::Measure measure);
-    /// The explicit step of every advanced union, then the exchange of received masses. Collective.
+    /// The explicit step of every advanced union. No communication.
     void advance();
+    /// The increments of received masses from the owners of their entities. Collective.
+    void exchange();
 
     [[nodiscard]] const partition::Decomposition& decomposition() const { return decomposition_; }
     [[nodiscard]] const physics::Network& network() const { return network_; }
@@ -48,11 +50,10 @@ public:
     [[nodiscard]] std::int64_t splits() const { return splits_; }
     [[nodiscard]] std::int64_t parts_gained() const { return parts_gained_; }
 
-    /// Collective; throws std::runtime_error on all ranks with what was found.
+    /// Collective; throws SharedError with what was found.
     void audit(const partition::Audit& audit) const;
 
 private:
-    void exchange();
     void set_start_increments();
 
     const partition::Communicator* comm_;

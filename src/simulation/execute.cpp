@@ -55,8 +55,9 @@ std::vector<std::string> warnings(const Scene& scene, const CertifiedStep& certi
     return all;
 }
 
-void run_with_files(const partition::Communicator& comm, Simulation& simulation, const io::RunDirectory& directory,
-                    io::Log& log, ProgressStyle style) {
+/// Returns the exit code.
+int run_with_files(const partition::Communicator& comm, Simulation& simulation, const io::RunDirectory& directory,
+                   io::Log& log, ProgressStyle style) {
     Progress progress{log, style};
     RunFiles files{simulation, directory, progress};
     const auto write = [&](const io::Summary& summary) {
@@ -69,6 +70,9 @@ void run_with_files(const partition::Communicator& comm, Simulation& simulation,
         files.finish();
         write(summarize(simulation, files.frames(), &invalid));
         throw;
+    } catch (const SharedError& error) {
+        log.error(error.what());
+        return 1;
     }
     files.finish();
     const io::Summary summary = summarize(simulation, files.frames(), nullptr);
@@ -76,6 +80,7 @@ void run_with_files(const partition::Communicator& comm, Simulation& simulation,
     for (const std::string& line : closing_lines(summary, directory.path().string())) {
         log.info(line);
     }
+    return 0;
 }
 
 }  // namespace
@@ -86,16 +91,15 @@ int execute(const partition::Communicator& comm, const CommandLine& command) {
     io::Log log{comm, command.quiet};
     const io::RunDirectory directory{command.directory()};
     const Scene scene = read_scene(read_input(comm, command.input), command.input.string(), command.settings);
-    if (!command.dry_run) {
-        directory.check(comm);
-    }
+    directory.check(comm);
     auto simulation =
         stopwatch.time(Phase::setup, [&] { return std::make_unique<Simulation>(comm, scene, stopwatch); });
     if (command.audit) {
         simulation->enable_audit();
     }
+    io::RunLock lock;
     if (!command.dry_run) {
-        directory.prepare(comm);
+        lock = directory.prepare(comm);
         log.open(directory.file("cracksim.log"));
         io::on_root(comm, [&] { io::write_text(directory.file("input.resolved.yaml"), resolved(scene)); });
     }
@@ -106,10 +110,7 @@ int execute(const partition::Communicator& comm, const CommandLine& command) {
     for (const std::string& warning : warnings(scene, simulation->certified())) {
         log.warn(warning);
     }
-    if (!command.dry_run) {
-        run_with_files(comm, *simulation, directory, log, command.progress);
-    }
-    return 0;
+    return command.dry_run ? 0 : run_with_files(comm, *simulation, directory, log, command.progress);
 }
 
 }  // namespace cracksim::simulation

@@ -5,8 +5,7 @@
 
 namespace cracksim::simulation {
 
-/// Does what the command line says: reads the scene, runs it (or forecasts it) and writes its files. Returns the exit code
-/// of a run that came to its end; throws InputError (exit 2) and InvalidRun (exit 3) on all ranks alike. Collective.
+/// Does what the command line says: reads the scene, runs it (or forecasts it) and writes its files. Returns the exit code; throws InputError (exit 2) and InvalidRun (exit 3) on all ranks alike. Collective.
 int execute(const partition::Communicator& comm, const CommandLine& command);
 
 }  // namespace cracksim::simulation

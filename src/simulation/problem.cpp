@@ -5,6 +5,7 @@
 
 #include "core/errors.hpp"
 #include "physics/supports.hpp"
+#include "topology/face_link.hpp"
 
 namespace cracksim::simulation {
 
@@ -19,6 +20,8 @@ std::string number(double value) {
     text << value;
     return text.str();
 }
+
+bool is_finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 physics::Thresholds thresholds(const Scene& scene) {
     return {[field = scene.sensors.threshold](Vec3 at) { return field(at, 0.0); }, scene.sensors.weibull};
@@ -53,7 +56,7 @@ std::optional<std::string> finding(const physics::Network& network, const physic
         const Vec3 at = network.rest_position(m);
         const Vec3 u = initial.displacement(at);
         const Vec3 v = initial.velocity(at);
-        if (!std::isfinite(dot(u, u)) || !std::isfinite(dot(v, v))) {
+        if (!is_finite(u) || !is_finite(v)) {
             return places.initial + "the displacement or velocity at x = " + number(at.x) + ", y = " + number(at.y) +
                    ", z = " + number(at.z) + " m is not a finite number; change the expression";
         }
@@ -73,6 +76,12 @@ CertifiedStep certify_step(const Scene& scene) {
     const physics::StepBound bound = physics::step_bound(model, scene.time.scheme);
     const double automatic = physics::automatic_step(model, bound);
     const double step = scene.time.step.value_or(automatic);
+    constexpr double most_steps = 1e15;
+    if (!(scene.time.end / step < most_steps)) {
+        throw InputError{scene.places.step + "time.end " + number(scene.time.end) + " s takes " +
+                         number(scene.time.end / step) + " steps of " + number(step) +
+                         " s, more than can be counted; use an earlier end"};
+    }
     CertifiedStep certified{step, bound, static_cast<std::int64_t>(std::ceil(scene.time.end / step * (1 - 1e-12))), ""};
     if (step > bound.step && !scene.time.allow_unstable) {
         throw InputError{scene.places.step + number(step) + " s is above the largest stable step " +
@@ -101,6 +110,14 @@ partition::Partitioner partitioner(const Scene& scene) {
 physics::Initial initial_fields(const Scene& scene) {
     return {[field = scene.initial.displacement](Vec3 at) { return evaluate(field, at); },
             [field = scene.initial.velocity](Vec3 at) { return evaluate(field, at); }};
+}
+
+void check_size(const partition::Communicator& comm, const partition::Decomposition& decomposition) {
+    const auto most = std::int64_t{topology::FaceLink::entity_limit} - 1;
+    if (comm.max(static_cast<std::int64_t>(decomposition.entities.size())) > most) {
+        throw InputError{"block.cells: a rank would hold more than " + std::to_string(most) +
+                         " entities; use more ranks"};
+    }
 }
 
 physics::Network build_network(const partition::Communicator& comm, const Scene& scene,

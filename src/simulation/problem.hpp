@@ -25,6 +25,9 @@ struct CertifiedStep {
 [[nodiscard]] partition::Partitioner partitioner(const Scene& scene);
 [[nodiscard]] physics::Initial initial_fields(const Scene& scene);
 
+/// Collective. Throws InputError if a rank holds more entities than its lists can number.
+void check_size(const partition::Communicator& comm, const partition::Decomposition& decomposition);
+
 /// The network of this rank's entities. Collective: throws InputError on all ranks for a threshold that is not above zero
 /// or supports that contradict each other anywhere.
 [[nodiscard]] physics::Network build_network(const partition::Communicator& comm, const Scene& scene,

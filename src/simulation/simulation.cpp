@@ -18,10 +18,14 @@ std::string cause_of(const CertifiedStep& certified, bool finite) {
     if (certified.step > certified.bound.step) {
         text << "likely cause: the time step " << certified.step << " s is above the largest stable step "
              << certified.bound.step << " s; use time.step: auto";
-    } else {
+    } else if (finite) {
         text << "the time step is within its bound, so the likely cause is an initial or a support's velocity or "
                 "displacement far "
                 "above what the material can carry; lower it";
+    } else {
+        text << "the time step is within its bound, so the likely cause is a support whose velocity is not a number at "
+                "that time, "
+                "or numbers so large that they overflow";
     }
     return text.str();
 }
@@ -48,7 +52,7 @@ void Simulation::run(Observer& observer) {
         const bool measured = ends || history_schedule_.is_due(step);
         if (measured || step % steps_between_checks == 0 || coat_schedule_.is_due(step) ||
             frame_schedule_.is_due(step)) {
-            check_motion();
+            check_motion(observer);
         }
         dynamics_.act(measured ? physics::Measure::elastic_energy : physics::Measure::nothing);
         if (measured) {
@@ -59,6 +63,7 @@ void Simulation::run(Observer& observer) {
             return;
         }
         dynamics_.advance();
+        dynamics_.exchange();
     }
 }
 
@@ -66,12 +71,7 @@ void Simulation::step_actions(Observer& observer, bool forced) {
     const std::int64_t step = dynamics_.state().step;
     const bool frame_due = forced || frame_schedule_.is_due(step);
     if (frame_due || coat_schedule_.is_due(step)) {
-        const News news{dynamics_.take_events(), dynamics_.take_splits()};
-        stopwatch_->time(Phase::topology, [&] { coat_.modify(news.splits, dynamics_.state().unions); });
-        if (audit_) {
-            dynamics_.audit(*audit_);
-        }
-        observer.coat(*this, news);
+        bring_coat_up_to_date(observer);
     }
     if (forced || history_schedule_.is_due(step)) {
         observer.history(*this);
@@ -82,6 +82,15 @@ void Simulation::step_actions(Observer& observer, bool forced) {
     if (step % steps_between_checks == 0) {
         observer.heartbeat(*this);
     }
+}
+
+void Simulation::bring_coat_up_to_date(Observer& observer) {
+    const News news{dynamics_.take_events(), dynamics_.take_splits()};
+    stopwatch_->time(Phase::topology, [&] { coat_.modify(news.splits, dynamics_.state().unions); });
+    if (audit_) {
+        dynamics_.audit(*audit_);
+    }
+    observer.coat(*this, news);
 }
 
 void Simulation::measure() {
@@ -98,7 +107,7 @@ Totals Simulation::totals() const {
             scene_->block.vertex_count() + comm_->sum(dynamics_.parts_gained())};
 }
 
-void Simulation::check_motion() const {
+void Simulation::check_motion(Observer& observer) {
     constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
     const auto& breakdown = dynamics_.state().breakdown;
     const std::int64_t step = comm_->min(breakdown ? breakdown->step : none);
@@ -108,6 +117,8 @@ void Simulation::check_motion() const {
     const bool first_here = breakdown && breakdown->step == step;
     const std::int64_t mass = comm_->min(first_here ? breakdown->mass.value() : none);
     const bool finite = !comm_->any(first_here && breakdown->mass.value() == mass && !breakdown->finite);
+    // What happened until here is told; the state itself is not shown.
+    bring_coat_up_to_date(observer);
     throw InvalidRun{"the run became invalid at step " + std::to_string(step) +
                          " (t = " + std::to_string(static_cast<double>(step) * certified_.step) + " s): mass " +
                          std::to_string(mass) + " " + cause_of(certified_, finite),

@@ -84,7 +84,8 @@ public:
 private:
     void step_actions(Observer& observer, bool forced);
     void measure();
-    void check_motion() const;
+    void check_motion(Observer& observer);
+    void bring_coat_up_to_date(Observer& observer);
 
     const partition::Communicator* comm_;
     const Scene* scene_;

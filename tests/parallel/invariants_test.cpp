@@ -2,14 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <set>
 #include <string>
 
 #include "geometry/boundary.hpp"
+#include "geometry/embedding.hpp"
 #include "geometry/free_faces.hpp"
 #include "geometry/measures.hpp"
 #include "partition/communicator.hpp"
 #include "simulation/scene_reader.hpp"
 #include "simulation/simulation.hpp"
+#include "topology/dart.hpp"
 #include "topology/validity.hpp"
 
 namespace cracksim::simulation {
@@ -43,8 +46,8 @@ public:
         faces_are_sewn_exactly_while_corners_share_unions(s);
         boundaries_are_closed(s, s.coat().components());
         boundaries_are_closed(s, s.coat().fragments());
-        volumes_add_up(s, s.coat().components(), s.coat().component_count());
-        volumes_add_up(s, s.coat().fragments(), s.coat().fragment_count());
+        rest_volumes_add_up_to_the_block(s, s.coat().components(), s.coat().component_count());
+        rest_volumes_add_up_to_the_block(s, s.coat().fragments(), s.coat().fragment_count());
     }
 
     int coats{0};
@@ -82,11 +85,41 @@ private:
     void boundaries_are_closed(const Simulation& s, const Labels& labels) {
         const auto& owned = s.dynamics().decomposition().owned;
         const auto faces = geometry::free_faces(s.coat().map(), owned.span());
+        const physics::Evolution evolution = s.dynamics().evolution();
         if (world().size() == 1) {
             const auto reason = geometry::validate_closure(s.coat().map(), faces, s.coat().components());
             EXPECT_FALSE(reason.has_value()) << *reason;
         }
-        const auto here = geometry::measure_boundaries(faces, labels, s.dynamics().evolution(), Vec3{});
+        const auto enclosed = over_all_ranks(geometry::measure_boundaries(faces, labels, evolution, Vec3{}));
+        const auto filled = over_all_ranks(entity_volumes(s, labels, evolution));
+        const double entity_volume = s.scene().block.volume() / static_cast<double>(s.scene().block.entity_count());
+        for (const auto& [label, boundary] : enclosed) {
+            EXPECT_LT(boundary.open_part(), 1e-12) << "label " << label.value();
+            EXPECT_NEAR(boundary.volume, filled.at(label).volume, 1e-9 * entity_volume) << "label " << label.value();
+        }
+        EXPECT_EQ(enclosed.size(), filled.size());
+    }
+
+    /// The current volume of each label's entities, entity by entity from all six faces.
+    static std::vector<geometry::BoundaryMeasure> entity_volumes(const Simulation& s, const Labels& labels,
+                                                                 const physics::Evolution& evolution) {
+        std::map<EntityId, geometry::BoundaryMeasure> sums;
+        for (LocalEntity e{0}; e.index() < labels.size(); ++e) {
+            for (int face = 0; s.dynamics().network().owned(e) && face < Hexahedron::faces; ++face) {
+                auto& sum = sums.try_emplace(labels[e], geometry::BoundaryMeasure{labels[e], {}, 0, 0}).first->second;
+                sum.volume += geometry::cone_volume(geometry::embed(topology::corners_of(e, face), evolution), Vec3{});
+            }
+        }
+        std::vector<geometry::BoundaryMeasure> all;
+        for (const auto& [label, sum] : sums) {
+            all.push_back(sum);
+        }
+        return all;
+    }
+
+    /// By label, on the root.
+    static std::map<EntityId, geometry::BoundaryMeasure> over_all_ranks(
+        const std::vector<geometry::BoundaryMeasure>& here) {
         std::map<EntityId, geometry::BoundaryMeasure> all;
         for (const auto& part : world().gather<geometry::BoundaryMeasure>(here)) {
             const auto [place, is_new] = all.emplace(part.label, part);
@@ -94,26 +127,22 @@ private:
                 place->second += part;
             }
         }
-        for (const auto& [label, boundary] : all) {
-            EXPECT_LT(boundary.open_part(), 1e-12) << "label " << label.value();
-        }
+        return all;
     }
 
-    void volumes_add_up(const Simulation& s, const Labels& labels, std::int64_t count) {
+    void rest_volumes_add_up_to_the_block(const Simulation& s, const Labels& labels, std::int64_t count) {
         const Block& block = s.scene().block;
         const double entity_volume = block.volume() / static_cast<double>(block.entity_count());
         const auto sizes = geometry::label_sizes(labels, s.dynamics().decomposition().owned.span(), entity_volume);
-        std::map<EntityId, std::int64_t> entities;
+        double volume = 0;
+        std::set<EntityId> seen;
         for (const auto& size : world().gather<geometry::LabelSize>(sizes)) {
-            entities[size.label] += size.entities;
+            volume += size.volume;
+            seen.insert(size.label);
         }
         if (world().is_root()) {
-            std::int64_t sum = 0;
-            for (const auto& [label, number] : entities) {
-                sum += number;
-            }
-            EXPECT_EQ(sum, block.entity_count());
-            EXPECT_EQ(static_cast<std::int64_t>(entities.size()), count);
+            EXPECT_NEAR(volume, block.volume(), 1e-12 * block.volume());
+            EXPECT_EQ(static_cast<std::int64_t>(seen.size()), count);
         }
     }
 };

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """Exit codes, messages and files of runs that are refused, that become invalid, or that are only asked about."""
 import math
+import os
 import subprocess
+import time
 
-from runner import check, cracking_scene, dataset, last_frame, main, summary
+from runner import ENVIRONMENT, check, cracking_scene, dataset, last_frame, main, summary
 
 SCENE = """\
 block: {entity: hexahedron, cells: [4, 4, 2], edge: 0.01}
@@ -97,6 +99,40 @@ def old_run_goes_only_for_a_valid_one(workplace, quick):
     check(done.returncode == 0, f"a second run into its own directory returned {done.returncode}\n{done.stderr}")
 
 
+def two_runs_do_not_share_a_directory(workplace, quick):
+    del quick
+    long_scene = workplace.write(cracking_scene(time={"end": 1000}), "long.yaml")
+    directory = workplace.path / "shared"
+    with subprocess.Popen(["mpirun", "-n", "1", workplace.binary, long_scene, "--out", directory],
+                          env={**os.environ, **ENVIRONMENT}, stdout=subprocess.DEVNULL) as first:
+        try:
+            for _ in range(300):
+                if (directory / "history.csv").exists():
+                    break
+                time.sleep(0.1)
+            second = workplace.run(workplace.write(SCENE), "--out", directory, ranks=2)
+        finally:
+            first.terminate()
+    check(second.returncode == 2, f"the second run returned {second.returncode}, not 2\n{second.stdout}{second.stderr}")
+    check("another run is writing" in second.stderr, f"the message does not say why:\n{second.stderr}")
+    check((directory / "history.csv").exists(), "the second run removed files of the first")
+
+
+def error_of_the_root_alone_ends_all_ranks(workplace, quick):
+    del quick
+    huge = SCENE.replace("[4, 4, 2]", "[720, 720, 700]")
+    done = workplace.run(workplace.write(huge), "--dry-run", ranks=2)
+    check(done.returncode == 1, f"the exit code is {done.returncode}, not 1\n{done.stdout}{done.stderr}")
+    check(len(message_lines(done, "METIS")) == 1, f"METIS is not named in one line:\n{done.stderr}")
+
+
+def support_may_start_with_infinite_acceleration(workplace, quick):
+    del quick
+    scene = cracking_scene(supports=[{"name": "pull", "where": {"box": [[0.075, -1, -1], [1, 1, 1]]},
+                                      "velocity": ["sqrt(t)", 0, 0]}], time={"end": 0.02, "scheme": "ab2"})
+    workplace.finished(scene, ranks=2)
+
+
 def dry_run_writes_nothing(workplace, quick):
     del quick
     scene = workplace.write(SCENE)
@@ -148,5 +184,6 @@ def unstable_run_returns_3(workplace, quick):
 
 if __name__ == "__main__":
     main([wrong_scenes_return_2, wrong_commands_return_2, foreign_directory_is_refused, old_run_goes_only_for_a_valid_one,
-          dry_run_writes_nothing, help_and_version_return_0, default_directory_is_the_stem_of_the_input,
+          two_runs_do_not_share_a_directory,
+          error_of_the_root_alone_ends_all_ranks, support_may_start_with_infinite_acceleration, dry_run_writes_nothing, help_and_version_return_0, default_directory_is_the_stem_of_the_input,
           unstable_run_returns_3])

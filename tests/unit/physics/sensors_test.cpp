@@ -51,6 +51,28 @@ TEST(Prefilter, MissesNothingAtThresholdsOneUlpAway) {
     }
 }
 
+TEST(Prefilter, MissesNothingWhereAnotherEdgeHasVanished) {
+    test::SerialBlock block;
+    block.cells = {2, 1, 1};
+    block.thresholds.field = [](Vec3) { return 0.2; };
+    const Network network = block.network();
+    State state{network, Scheme::cordis, 0.3};
+    const auto at = [&](LocalMass m) -> Vec3 {
+        const Vec3 rest = network.rest_position(m);
+        if (rest.y > 0.5 && rest.z < 0.5 && rest.x < 0.5) {
+            return {-0.9, 0, 0};
+        }
+        return {rest.y < 0.5 && rest.z > 0.5 && rest.x < 0.5 ? 1.0 : 0.0, 0, 0};
+    };
+    for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
+        state.displacement.set(state.unions.slot(m).index(), at(m));
+    }
+    accumulate_forces(network, state, Measure::elastic_energy);
+    EXPECT_TRUE(std::isfinite(state.elastic));
+    EXPECT_EQ(sense(network, state, Prefilter::on).size(), 1U);
+    EXPECT_EQ(sense(network, state, Prefilter::on), sense(network, state, Prefilter::off));
+}
+
 TEST(Sensor, TriggersAcrossTheStretchedFaceOnly) {
     test::SerialBlock block;
     block.cells = {2, 2, 1};

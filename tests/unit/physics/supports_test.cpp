@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "support/serial_network.hpp"
 
 namespace cracksim::physics {
@@ -33,6 +35,18 @@ TEST(Supports, MayShareMassesButNotComponents) {
     const auto conflict = support_conflict(block.network());
     ASSERT_TRUE(conflict.has_value());
     EXPECT_NE(conflict->find("'left' and 'again' both prescribe the velocity along x"), std::string::npos) << *conflict;
+}
+
+TEST(Supports, AskNoVelocityFromBeforeTheStart) {
+    test::SerialBlock block;
+    Support pull = support("pull", -1, 0.5, 0);
+    pull.velocity[0] = [](Vec3, double t) { return t < 0 ? std::numeric_limits<double>::quiet_NaN() : 3 + 2 * t; };
+    block.supports = {pull};
+    const Network network = block.network();
+    const State state{network, Scheme::ab2, 0.1};
+    const Slot held = state.held.front().slot;
+    EXPECT_NEAR(prescribed(network, state, held, {}, -0.5).x, 0.1 * (3 - 0.1), 1e-15);
+    EXPECT_NEAR(prescribed(network, state, held, {}, -1.5).x, 0.1 * (3 - 0.3), 1e-15);
 }
 
 }  // namespace
