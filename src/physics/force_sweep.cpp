@@ -45,38 +45,71 @@ HWY_INLINE V Dot(const V (&a)[3], const V (&b)[3]) {
     return hn::MulAdd(a[2], b[2], hn::MulAdd(a[1], b[1], hn::Mul(a[0], b[0])));
 }
 
+/// d = d0 + du, |d|^2, and (2 d0 + du).du, which is |d|^2 - L0^2 without its cancellation.
+struct Extension {
+    V distance[3];
+    V squared;
+    V numerator;
+};
+
+template <std::size_t I>
+HWY_INLINE Extension Extend(const InteractionConstants& c, const V (&du)[3]) {
+    const D d;
+    if constexpr (I < HexahedronPairs::edges) {
+        // Edges of a box lie along an axis: across it, d and 2 d0 + du are du.
+        constexpr std::size_t along = I / HexahedronPairs::edges_per_axis;
+        constexpr std::size_t second = (along + 1) % 3;
+        constexpr std::size_t third = (along + 2) % 3;
+        const V rest = hn::Set(d, c.rest[along]);
+        const V across = hn::MulAdd(du[second], du[second], hn::Mul(du[third], du[third]));
+        const V distance = hn::Add(rest, du[along]);
+        Extension extension;
+        extension.distance[along] = distance;
+        extension.distance[second] = du[second];
+        extension.distance[third] = du[third];
+        extension.squared = hn::MulAdd(distance, distance, across);
+        extension.numerator = hn::MulAdd(hn::Add(rest, distance), du[along], across);
+        return extension;
+    } else {
+        V distance[3], twice[3];
+        for (int i = 0; i < 3; ++i) {
+            const V rest = hn::Set(d, c.rest[i]);
+            distance[i] = hn::Add(rest, du[i]);
+            twice[i] = hn::Add(rest, distance[i]);
+        }
+        return {{distance[0], distance[1], distance[2]}, Dot(distance, distance), Dot(twice, du)};
+    }
+}
+
 template <std::size_t I, bool kMeasure>
 HWY_INLINE void AddInteraction(const InteractionConstants& c, Corners& x, Sums& sums) {
     const D d;
     constexpr std::size_t a = HexahedronPairs::corners[I][0];
     constexpr std::size_t b = HexahedronPairs::corners[I][1];
-    V du[3], dw[3], dist[3], twice[3];
+    V du[3], dw[3];
     for (int i = 0; i < 3; ++i) {
-        const V rest = hn::Set(d, c.rest[i]);
         du[i] = hn::Sub(x.u[b][i], x.u[a][i]);
         dw[i] = hn::Sub(x.w[b][i], x.w[a][i]);
-        dist[i] = hn::Add(rest, du[i]);
-        twice[i] = hn::Add(rest, dist[i]);
     }
-    const V squared = Dot(dist, dist);
-    const V length = hn::Sqrt(squared);
+    const Extension extension = Extend<I>(c, du);
+    const V length = hn::Sqrt(extension.squared);
     const V sum = hn::Add(length, hn::Set(d, c.rest_length));
     // One division serves both 1/|d| and 1/(|d| + L0).
     const V both = hn::Div(hn::Set(d, 1.0), hn::Mul(length, sum));
-    const V inverse_length = hn::Mul(sum, both);
     // A vanished length has no direction, and its elongation is all of L0; a length that is not a number must stay one.
-    const auto vanished = hn::Lt(squared, hn::Set(d, c.tiny_squared));
+    const auto vanished = hn::Lt(extension.squared, hn::Set(d, c.tiny_squared));
+    const V inverse_length = hn::IfThenZeroElse(vanished, hn::Mul(sum, both));
     const V elongation =
-        hn::IfThenElse(vanished, hn::Set(d, -c.rest_length), hn::Mul(Dot(twice, du), hn::Mul(length, both)));
-    const V rate = hn::Mul(Dot(dw, dist), inverse_length);
+        hn::IfThenElse(vanished, hn::Set(d, -c.rest_length), hn::Mul(extension.numerator, hn::Mul(length, both)));
+    const V rate = hn::Mul(Dot(dw, extension.distance), inverse_length);
     const V drag = hn::Mul(hn::Set(d, c.viscosity_rate), rate);
     const V tension = hn::MulAdd(hn::Set(d, c.stiffness), elongation, drag);
-    const V factor = hn::IfThenZeroElse(vanished, hn::Mul(tension, inverse_length));
+    const V factor = hn::Mul(tension, inverse_length);
     for (int i = 0; i < 3; ++i) {
-        x.f[a][i] = hn::MulAdd(factor, dist[i], x.f[a][i]);
-        x.f[b][i] = hn::NegMulAdd(factor, dist[i], x.f[b][i]);
+        x.f[a][i] = hn::MulAdd(factor, extension.distance[i], x.f[a][i]);
+        x.f[b][i] = hn::NegMulAdd(factor, extension.distance[i], x.f[b][i]);
     }
-    sums.dissipated = hn::Add(sums.dissipated, hn::IfThenZeroElse(vanished, hn::Mul(drag, rate)));
+    sums.dissipated = hn::MulAdd(drag, rate, sums.dissipated);
     if constexpr (kMeasure) {
         const V half_k = hn::Set(d, 0.5 * c.stiffness);
         sums.elastic = hn::MulAdd(hn::Mul(half_k, elongation), elongation, sums.elastic);
