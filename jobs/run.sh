@@ -28,8 +28,6 @@ for argument in "$@"; do
     previous=$argument
 done
 if [[ $directory/summary.json -nt $started ]]; then
-    echo "results in $directory: summary.json, history.csv, events.hdf"
-    echo "look at them: paraview $directory/surface.xdmf"
-    echo "  a picture:  xvfb-run -a pvpython $root/jobs/render.py $directory --out picture.png"
+    echo "a picture: xvfb-run -a pvpython $root/jobs/render.py $directory --out picture.png"
 fi
 exit "$status"

@@ -13,6 +13,7 @@ ENVIRONMENT = {
     "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
     "OMPI_MCA_rmaps_base_oversubscribe": "1",
     "OMPI_MCA_hwloc_base_binding_policy": "none",
+    "OMPI_MCA_mpi_yield_when_idle": "1",  # more ranks than cores: a rank that waits must not spin
     "ASAN_OPTIONS": "fast_unwind_on_malloc=0",
     "LSAN_OPTIONS": f"suppressions={pathlib.Path(__file__).resolve().parent.parent}/support/lsan.supp:print_suppressions=0",
 }
