@@ -1,7 +1,5 @@
 #include "io/run_directory.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -61,13 +59,6 @@ Problem problem_of_parent(const fs::path& path) {
     return std::nullopt;
 }
 
-/// A lock on the directory's marker; not held if another process has it.
-RunLock lock_of(const fs::path& directory) {
-    const int descriptor = ::open((directory / marker).c_str(), O_RDWR | O_CLOEXEC);
-    RunLock lock{descriptor};
-    return descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 ? std::move(lock) : RunLock{};
-}
-
 Problem problem_of_directory(const fs::path& path) {
     std::error_code error;
     if (!writable(path)) {
@@ -79,9 +70,6 @@ Problem problem_of_directory(const fs::path& path) {
     }
     if (!empty && !fs::exists(path / marker, error)) {
         return problem(path, "it is not empty and was not made by cracksim", other_directory + ", or empty it");
-    }
-    if (const RunLock lock = lock_of(path); !empty && !lock.held()) {
-        return problem(path, "another run is writing to it", "wait for its end, or " + other_directory);
     }
     for (const std::string_view name : single_files) {
         if (fs::is_directory(path / name, error)) {
@@ -112,6 +100,16 @@ Problem problem_of(const fs::path& path) {
                                     : problem(path, "it is a file, not a directory", other_directory);
 }
 
+Problem problem_of_lock(const fs::path& path) {
+    return problem(path, "another run is writing to it", "wait for its end, or " + other_directory);
+}
+
+void require(const partition::Communicator& comm, const Problem& found_by_root) {
+    if (const Problem found = comm.first(found_by_root)) {
+        throw InputError{*found};
+    }
+}
+
 void remove_files(const fs::path& directory, bool (*is_ours)(std::string_view)) {
     std::vector<fs::path> ours;
     for (const auto& entry : fs::directory_iterator{directory}) {
@@ -123,12 +121,6 @@ void remove_files(const fs::path& directory, bool (*is_ours)(std::string_view)) 
 }
 
 }  // namespace
-
-RunLock::~RunLock() {
-    if (descriptor_ >= 0) {
-        ::close(descriptor_);
-    }
-}
 
 bool is_run_file(std::string_view name) {
     const std::string_view finished = without_ending(name, unfinished_ending);
@@ -155,27 +147,34 @@ bool is_frame_file(std::string_view name) {
 }
 
 void RunDirectory::check(const partition::Communicator& comm) const {
-    const Problem found = comm.first(comm.is_root() ? problem_of(path_) : std::nullopt);
-    if (found) {
-        throw InputError{*found};
+    Problem found;
+    if (comm.is_root()) {
+        found = problem_of(path_);
+        if (!found && !RunLock::take(path_ / marker)) {
+            found = problem_of_lock(path_);
+        }
     }
+    require(comm, found);
 }
 
 // The marker goes first: if this run is killed right here, the next one may still use the directory.
 RunLock RunDirectory::prepare(const partition::Communicator& comm) const {
-    check(comm);
-    RunLock lock;
+    require(comm, comm.is_root() ? problem_of(path_) : std::nullopt);
+    std::optional<RunLock> lock;
     on_root(comm, [&] {
         fs::create_directory(path_);
         if (!fs::exists(path_ / marker)) {
             write_text(path_ / marker, marker_text);
         }
-        lock = lock_of(path_);
+        lock = RunLock::take(path_ / marker);
+    });
+    require(comm, comm.is_root() && !lock ? problem_of_lock(path_) : std::nullopt);
+    on_root(comm, [&] {
         fs::create_directory(path_ / "frames");
         remove_files(path_, is_run_file);
         remove_files(path_ / "frames", is_frame_file);
     });
-    return lock;
+    return lock ? std::move(*lock) : RunLock{};
 }
 
 }  // namespace cracksim::io

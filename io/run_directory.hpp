@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "io/run_lock.hpp"
 #include "partition/communicator.hpp"
 
 namespace cracksim::io {
@@ -17,26 +18,6 @@ inline constexpr std::array<std::string_view, 4> series_names{"surface", "crack"
 [[nodiscard]] bool is_run_file(std::string_view name);
 /// The same for the files in DIR/frames.
 [[nodiscard]] bool is_frame_file(std::string_view name);
-
-/// Held while a run writes to a directory: no other run can use it meanwhile. Released when it goes, or with its process.
-class RunLock {
-public:
-    RunLock() = default;
-    explicit RunLock(int descriptor) : descriptor_{descriptor} {}
-    RunLock(RunLock&& other) noexcept : descriptor_{std::exchange(other.descriptor_, -1)} {}
-    RunLock& operator=(RunLock&& other) noexcept {
-        std::swap(descriptor_, other.descriptor_);
-        return *this;
-    }
-    RunLock(const RunLock&) = delete;
-    RunLock& operator=(const RunLock&) = delete;
-    ~RunLock();
-
-    [[nodiscard]] bool held() const { return descriptor_ >= 0; }
-
-private:
-    int descriptor_{-1};
-};
 
 /// The directory that a run writes to. The root acts, all ranks agree. A directory that cracksim made carries the file `.cracksim`;
 /// one that it did not make is used only while it is empty, so that nobody's files are ever mixed with a run's or lost.
@@ -51,7 +32,7 @@ public:
     void check(const partition::Communicator& comm) const;
 
     /// check(), then makes the directory and its frames/, and removes what an older run wrote, but no other file.
-    /// Keep the lock while the run goes on. Throws InputError or FileError. Collective.
+    /// Keep the lock, which the root has, while the run goes on. Throws InputError or FileError. Collective.
     RunLock prepare(const partition::Communicator& comm) const;
 
 private:

@@ -1,10 +1,9 @@
 #include "io/summary.hpp"
 
-#include <array>
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "core/contracts.hpp"
+#include "core/text.hpp"
 #include "io/text_file.hpp"
 
 namespace cracksim::io {
@@ -20,13 +19,6 @@ std::string text(Status status) {
         case Status::invalid: return "invalid";
     }
     return {};
-}
-
-std::string hex(std::uint64_t hash) {
-    std::array<char, 16> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), hash, 16);
-    const std::string found{digits.data(), end.ptr};
-    return std::string(digits.size() - found.size(), '0') + found;
 }
 
 Json json(const Provenance& p) {

@@ -77,10 +77,9 @@ std::optional<std::string> Audit::check_contributions(const Block& block, std::s
             bool touched = false;
             bool whole = true;
             for (const EntityId other : block.around(block.vertex(entities[e], corner))) {
-                const auto place = std::lower_bound(entities.begin(), entities.end(), other);
-                const bool local = place != entities.end() && *place == other;
+                const auto local = find_local(entities, other);
                 whole = whole && local;
-                touched = touched || (local && owned.span()[static_cast<std::size_t>(place - entities.begin())] != 0);
+                touched = touched || (local && owned[*local] != 0);
             }
             owed[local_mass(e, corner).index()] = touched ? 1 : 0;
             if (touched && !whole && !finding) {

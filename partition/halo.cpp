@@ -1,6 +1,6 @@
 #include "partition/halo.hpp"
 
-#include <algorithm>
+#include "core/contracts.hpp"
 
 namespace cracksim::partition {
 
@@ -22,7 +22,9 @@ std::vector<LocalEntity> all_local(const Decomposition& decomposition, std::span
     std::vector<LocalEntity> found;
     found.reserve(ids.size());
     for (const std::int64_t id : ids) {
-        found.push_back(find_local(decomposition, EntityId{id}));
+        const auto e = find_local(decomposition.entities, EntityId{id});
+        CRACKSIM_EXPECT(e);
+        found.push_back(*e);
     }
     return found;
 }
@@ -33,12 +35,5 @@ Halo::Halo(const Communicator& comm, const Decomposition& decomposition)
     : plan_{plan_of(comm, decomposition)},
       sent_{all_local(decomposition, plan_.sent())},
       received_{all_local(decomposition, plan_.received())} {}
-
-LocalEntity find_local(const Decomposition& decomposition, EntityId entity) {
-    const auto ids = decomposition.entities.span();
-    const auto place = std::lower_bound(ids.begin(), ids.end(), entity);
-    CRACKSIM_EXPECT(place != ids.end() && *place == entity);
-    return LocalEntity{static_cast<std::int32_t>(place - ids.begin())};
-}
 
 }  // namespace cracksim::partition

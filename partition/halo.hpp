@@ -40,7 +40,4 @@ private:
     std::vector<LocalEntity> received_;
 };
 
-/// The place of a global id among the local entities. It must be local.
-[[nodiscard]] LocalEntity find_local(const Decomposition& decomposition, EntityId entity);
-
 }  // namespace cracksim::partition

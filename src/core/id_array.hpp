@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -30,5 +32,15 @@ public:
 private:
     std::vector<T> data_;
 };
+
+/// The place of a global id among ascending ones, if it is there.
+template <class Local, class Global>
+[[nodiscard]] std::optional<Local> find_local(const IdArray<Local, Global>& ascending, Global id) {
+    const auto place = std::lower_bound(ascending.begin(), ascending.end(), id);
+    if (place == ascending.end() || *place != id) {
+        return std::nullopt;
+    }
+    return Local{static_cast<typename Local::value_type>(place - ascending.begin())};
+}
 
 }  // namespace cracksim

@@ -79,11 +79,6 @@ void Network::find_unions() {
 }
 
 void Network::find_interfaces() {
-    const auto local = [&](EntityId id) {
-        const auto place = std::ranges::lower_bound(entities_.span(), id);
-        const bool found = place != entities_.span().end() && *place == id;
-        return found ? LocalEntity{static_cast<std::int32_t>(place - entities_.span().begin())} : LocalEntity{};
-    };
     interface_of_face_.assign(entities_.size() * Hexahedron::faces, -1);
     for (LocalEntity a{0}; a.value() < entity_count(); ++a) {
         for (int face = 0; face < Hexahedron::faces; ++face) {
@@ -91,10 +86,11 @@ void Network::find_interfaces() {
             if (!other || other->entity < entities_[a]) {
                 continue;
             }
-            const LocalEntity b = local(other->entity);
-            if (b == LocalEntity{}) {
+            const auto found = find_local(entities_, other->entity);
+            if (!found) {
                 continue;
             }
+            const LocalEntity b = *found;
             const auto index = static_cast<std::int32_t>(interfaces_.size());
             interface_of_face_[a.index() * Hexahedron::faces + static_cast<std::size_t>(face)] = index;
             interface_of_face_[b.index() * Hexahedron::faces + static_cast<std::size_t>(other->face)] = index;

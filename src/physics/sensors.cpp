@@ -31,11 +31,6 @@ Reach reach_of(const Network& network, const Interface& face, int k) {
     return {local_mass(face.a, p), local_mass(face.b, q), to_p - to_q, norm(to_p), norm(to_q)};
 }
 
-bool is_active(const Sensing& sensing, std::int32_t interface, int k) {
-    return ((static_cast<unsigned>(sensing.active[static_cast<std::size_t>(interface)]) >> static_cast<unsigned>(k)) &
-            1U) != 0;
-}
-
 bool triggers(const Network& network, const State& state, std::int32_t interface, int k) {
     const Reach reach = reach_of(network, network.interfaces()[static_cast<std::size_t>(interface)], k);
     const Vec3 du =
@@ -49,7 +44,7 @@ bool triggers(const Network& network, const State& state, std::int32_t interface
 void sense_interface(const Network& network, const State& state, std::int32_t interface,
                      std::vector<LocalDuplet>& found) {
     for (int k = 0; k < Network::duplets_per_interface; ++k) {
-        if (is_active(state.sensing, interface, k) && triggers(network, state, interface, k)) {
+        if (state.sensing.is_active(interface, k) && triggers(network, state, interface, k)) {
             found.emplace_back(interface * Network::duplets_per_interface + k);
         }
     }
@@ -93,7 +88,7 @@ void set_sensing_limit(const Network& network, LocalEntity e, int axis, Sensing&
     for (int face = 2 * axis; face <= 2 * axis + 1; ++face) {
         const std::int32_t interface = network.interface_at(e, face);
         for (int k = 0; interface >= 0 && k < Network::duplets_per_interface; ++k) {
-            if (!is_active(sensing, interface, k)) {
+            if (!sensing.is_active(interface, k)) {
                 continue;
             }
             const Interface& shared = network.interfaces()[static_cast<std::size_t>(interface)];

@@ -14,8 +14,7 @@ int place_of(LocalDuplet d) { return d.value() % Network::duplets_per_interface;
 
 void inactivate(const Network& network, LocalDuplet duplet, State& state) {
     const std::int32_t interface = interface_of(duplet);
-    auto& active = state.sensing.active[static_cast<std::size_t>(interface)];
-    active = static_cast<std::uint8_t>(active & ~(1U << static_cast<unsigned>(place_of(duplet))));
+    state.sensing.inactivate(interface, place_of(duplet));
     const Interface& shared = network.interfaces()[static_cast<std::size_t>(interface)];
     set_sensing_limit(network, shared.a, shared.face_a / 2, state.sensing);
     set_sensing_limit(network, shared.b, shared.face_b / 2, state.sensing);
@@ -30,8 +29,7 @@ LocalMass tied_over(const Network& network, const Sensing& sensing, LocalMass m,
     }
     const Interface& shared = network.interfaces()[static_cast<std::size_t>(index)];
     const int k = shared.a == e ? shared.duplet_at_a(corner_of(m)) : shared.duplet_at_b(corner_of(m));
-    if (k < 0 || ((static_cast<unsigned>(sensing.active[static_cast<std::size_t>(index)]) >> static_cast<unsigned>(k)) &
-                  1U) == 0) {
+    if (k < 0 || !sensing.is_active(index, k)) {
         return {};
     }
     return shared.a == e ? local_mass(shared.b, shared.corner_b(k)) : local_mass(shared.a, shared.corner_a(k));

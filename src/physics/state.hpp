@@ -20,6 +20,15 @@ struct Sensing {
     /// edges along it stay within this.
     std::array<std::vector<double>, 3> limit;
     std::array<std::vector<std::uint8_t>, 3> exceeded;  ///< [axis][batch], a bit an entity; written by the sweep
+
+    [[nodiscard]] bool is_active(std::int32_t interface, int k) const {
+        return ((static_cast<unsigned>(active[static_cast<std::size_t>(interface)]) >> static_cast<unsigned>(k)) &
+                1U) != 0;
+    }
+    void inactivate(std::int32_t interface, int k) {
+        auto& bits = active[static_cast<std::size_t>(interface)];
+        bits = static_cast<std::uint8_t>(bits & ~(1U << static_cast<unsigned>(k)));
+    }
 };
 
 /// A union held by supports: for each component the support that prescribes it, -1 if free.

@@ -99,18 +99,24 @@ void UnionTable::update_batch(std::size_t batch) {
 
 bool UnionTable::adds_by_corner(std::size_t batch) const {
     const auto base = [&](int corner) { return slots_of_corner(corner)[batch * lanes]; };
-    const auto apart = [&](int a, int b) { return a == b || std::abs(base(a) - base(b)) >= UnionTable::lanes; };
-    for (std::size_t i = 0; i < corners_added_first.size(); ++i) {
-        for (std::size_t j = 0; j < corners_added_last.size(); ++j) {
-            const int ahead = base(corners_added_first[i]) - base(corners_added_last[j]);
-            const bool in_order = ahead > 0 || ahead <= -UnionTable::lanes;
-            if (!in_order || !apart(corners_added_first[i], corners_added_first[j]) ||
-                !apart(corners_added_last[i], corners_added_last[j])) {
-                return false;
+    const auto ahead = [&](int first, int last) {
+        const int distance = base(first) - base(last);
+        return distance > 0 || distance <= -UnionTable::lanes;
+    };
+    const auto apart = [&](const auto& corners) {
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                if (std::abs(base(corners[i]) - base(corners[j])) < UnionTable::lanes) {
+                    return false;
+                }
             }
         }
-    }
-    return true;
+        return true;
+    };
+    return apart(corners_added_first) && apart(corners_added_last) &&
+           std::ranges::all_of(corners_added_first, [&](int first) {
+               return std::ranges::all_of(corners_added_last, [&](int last) { return ahead(first, last); });
+           });
 }
 
 std::size_t UnionTable::memory_bytes() const {

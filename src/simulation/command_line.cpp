@@ -90,10 +90,10 @@ std::variant<CommandLine, Answer> parse(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw InputError{std::string{error.what()} + "; cracksim --help lists the options"};
     }
+    refuse_unknown(app.remaining());
     if (version) {
         return Answer{io::version_line() + "\n", 0};
     }
-    refuse_unknown(app.remaining());
     if (command.input.empty()) {
         throw InputError{"no input is named; say cracksim INPUT.yaml, such as cracksim inputs/block.yaml"};
     }

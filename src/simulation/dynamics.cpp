@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/contracts.hpp"
 #include "core/errors.hpp"
 #include "partition/halo.hpp"
 #include "physics/advance.hpp"
@@ -29,7 +30,9 @@ std::vector<LocalMass> local_masses(const partition::Decomposition& decompositio
     masses.reserve(ids.size());
     for (const std::int64_t id : ids) {
         const MassId mass{id};
-        masses.push_back(local_mass(partition::find_local(decomposition, entity_of(mass)), corner_of(mass)));
+        const auto e = find_local(decomposition.entities, entity_of(mass));
+        CRACKSIM_EXPECT(e);
+        masses.push_back(local_mass(*e, corner_of(mass)));
     }
     return masses;
 }

@@ -110,6 +110,10 @@ int execute(const partition::Communicator& comm, const CommandLine& command) {
     for (const std::string& warning : warnings(scene, simulation->certified())) {
         log.warn(warning);
     }
+    if (!command.dry_run && comm.is_root() && !lock.held()) {
+        log.warn("the file system of " + directory.path().string() +
+                 " cannot lock files: no other run may write there meanwhile");
+    }
     return command.dry_run ? 0 : run_with_files(comm, *simulation, directory, log, command.progress);
 }
 

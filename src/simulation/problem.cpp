@@ -1,9 +1,9 @@
 #include "simulation/problem.hpp"
 
 #include <cmath>
-#include <sstream>
 
 #include "core/errors.hpp"
+#include "core/text.hpp"
 #include "physics/supports.hpp"
 #include "topology/face_link.hpp"
 
@@ -13,12 +13,6 @@ namespace {
 
 Vec3 evaluate(const std::array<io::Expression, 3>& field, Vec3 at) {
     return {field[0](at, 0.0), field[1](at, 0.0), field[2](at, 0.0)};
-}
-
-std::string number(double value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
 }
 
 bool is_finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
@@ -57,8 +51,9 @@ std::optional<std::string> finding(const physics::Network& network, const physic
         const Vec3 u = initial.displacement(at);
         const Vec3 v = initial.velocity(at);
         if (!is_finite(u) || !is_finite(v)) {
-            return places.initial + "the displacement or velocity at x = " + number(at.x) + ", y = " + number(at.y) +
-                   ", z = " + number(at.z) + " m is not a finite number; change the expression";
+            return places.initial + "the displacement or velocity at x = " + rounded(at.x, 6) +
+                   ", y = " + rounded(at.y, 6) + ", z = " + rounded(at.z, 6) +
+                   " m is not a finite number; change the expression";
         }
     }
     return std::nullopt;
@@ -78,22 +73,22 @@ CertifiedStep certify_step(const Scene& scene) {
     const double step = scene.time.step.value_or(automatic);
     constexpr double most_steps = 1e15;
     if (!(scene.time.end / step < most_steps)) {
-        throw InputError{scene.places.step + "time.end " + number(scene.time.end) + " s takes " +
-                         number(scene.time.end / step) + " steps of " + number(step) +
+        throw InputError{scene.places.step + "time.end " + rounded(scene.time.end, 6) + " s takes " +
+                         rounded(scene.time.end / step, 6) + " steps of " + rounded(step, 6) +
                          " s, more than can be counted; use an earlier end"};
     }
     CertifiedStep certified{step, bound, static_cast<std::int64_t>(std::ceil(scene.time.end / step * (1 - 1e-12))), ""};
     if (step > bound.step && !scene.time.allow_unstable) {
-        throw InputError{scene.places.step + number(step) + " s is above the largest stable step " +
-                         number(bound.step) + " s (set by the " + bound.cause + " of an entity); use at most " +
-                         number(automatic) + " s or `auto`, or say time.allow_unstable: true"};
+        throw InputError{scene.places.step + rounded(step, 6) + " s is above the largest stable step " +
+                         rounded(bound.step, 6) + " s (set by the " + bound.cause + " of an entity); use at most " +
+                         rounded(automatic, 6) + " s or `auto`, or say time.allow_unstable: true"};
     }
     if (step > bound.step) {
-        certified.warning = "time.step " + number(step) + " s is above the largest stable step " + number(bound.step) +
-                            " s; the run may blow up (allow_unstable)";
+        certified.warning = "time.step " + rounded(step, 6) + " s is above the largest stable step " +
+                            rounded(bound.step, 6) + " s; the run may blow up (allow_unstable)";
     } else if (step > automatic * (1 + 1e-12)) {
-        certified.warning = "time.step " + number(step) + " s is stable but closer to the bound " + number(bound.step) +
-                            " s than the usual " + number(automatic) + " s";
+        certified.warning = "time.step " + rounded(step, 6) + " s is stable but closer to the bound " +
+                            rounded(bound.step, 6) + " s than the usual " + rounded(automatic, 6) + " s";
     }
     return certified;
 }

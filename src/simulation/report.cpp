@@ -1,10 +1,9 @@
 #include "simulation/report.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 #include "core/hash.hpp"
+#include "core/text.hpp"
 #include "io/memory.hpp"
 #include "partition/session.hpp"
 #include "physics/entity_model.hpp"
@@ -18,18 +17,6 @@ namespace cracksim::simulation {
 namespace {
 
 constexpr std::size_t listed_fragments = 10;
-
-std::string hex(std::uint64_t value) {
-    std::array<char, 17> text{};
-    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(value));
-    return text.data();
-}
-
-std::string number(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g", value);
-    return text.data();
-}
 
 /// 1234567 -> "1,234,567".
 std::string grouped(std::int64_t value) {
@@ -160,9 +147,9 @@ std::vector<std::string> overview(const Simulation& simulation) {
     return {grouped(n.entities) + " entities, " + grouped(n.masses) + " masses in " + grouped(n.unions) +
                 " Mass-unions, " + grouped(n.interactions) + " interactions, " + grouped(n.duplets) + " duplets, " +
                 grouped(n.darts) + " darts",
-            "time step " + number(c.step) + " s (" + number(100 * c.step / c.bound.step) + " % of the bound " +
-                number(c.bound.step) + " s set by " + c.bound.cause + "), " + grouped(c.steps) +
-                " steps to t = " + number(simulation.scene().time.end) + " s",
+            "time step " + rounded(c.step) + " s (" + rounded(100 * c.step / c.bound.step) + " % of the bound " +
+                rounded(c.bound.step) + " s set by " + c.bound.cause + "), " + grouped(c.steps) +
+                " steps to t = " + rounded(simulation.scene().time.end) + " s",
             std::to_string(simulation.comm().size()) + " rank(s), SIMD " + physics::simd_target_name() +
                 "; model and map " + bytes_text(m.per_entity * entities) + " in all, exchange " +
                 bytes_text(e.bytes_per_step) + " a step"};
@@ -170,13 +157,13 @@ std::vector<std::string> overview(const Simulation& simulation) {
 
 std::vector<std::string> closing_lines(const io::Summary& s, const std::string& directory) {
     std::vector<std::string> lines{grouped(s.time.steps) + " steps in " + duration_text(s.seconds.total) + " (" +
-                                       number(s.steps_per_second) + " steps/s, " + number(s.times_real_time) +
+                                       rounded(s.steps_per_second) + " steps/s, " + rounded(s.times_real_time) +
                                        " x real time)",
                                    grouped(s.events.splits) + " splits, " + grouped(s.fragments) +
-                                       " fragment(s), crack area " + number(s.crack_area) + " m2"};
+                                       " fragment(s), crack area " + rounded(s.crack_area) + " m2"};
     std::string largest;
     for (std::size_t i = 0; i < std::min<std::size_t>(3, s.largest_fragments.size()); ++i) {
-        largest += (i == 0 ? "" : ", ") + number(100 * s.largest_fragments[i].volume_share) + " %";
+        largest += (i == 0 ? "" : ", ") + rounded(100 * s.largest_fragments[i].volume_share) + " %";
     }
     lines.push_back("largest fragments by volume: " + largest);
     lines.push_back("results in " + directory + "; look at " + directory + "/surface.xdmf in ParaView");

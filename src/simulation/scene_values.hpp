@@ -2,13 +2,13 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "core/text.hpp"
 #include "core/vec3.hpp"
 #include "io/expression.hpp"
 #include "io/input_tree.hpp"
@@ -25,13 +25,6 @@ inline constexpr std::string_view this_version = "cracksim 0.1";
 /// For what the format knows and this version cannot do. hint: what to do instead.
 [[noreturn]] inline void refuse_for_now(const io::InputNode& node, const std::string& hint) {
     node.fail("not available in " + std::string{this_version} + "; " + hint);
-}
-
-/// Three digits, for messages.
-[[nodiscard]] inline std::string rounded(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", value);
-    return text.data();
 }
 
 /// A section that may be missing, with known keys.

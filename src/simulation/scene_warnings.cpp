@@ -30,15 +30,15 @@ void warn_of_fracture(const Scene& scene, std::vector<std::string>& warnings) {
     warnings.push_back(
         "material.fracture_energy: cracks take it on any block.edge, but where there is no crack yet one starts at "
         "about " +
-        rounded(material.young * threshold) + " Pa (young times the threshold " + rounded(threshold) +
+        rounded(material.young * threshold, 3) + " Pa (young times the threshold " + rounded(threshold, 3) +
         "), which grows as entities shrink");
     if (threshold > 0.1) {
         warnings.push_back(
-            "material.fracture_energy: gives a threshold of " + rounded(threshold) +
+            "material.fracture_energy: gives a threshold of " + rounded(threshold, 3) +
             ", and the calibration holds well below 0.1 only; use a larger block.edge or a lower energy");
     }
     if (material.damping < 0.2) {
-        warnings.push_back("material.damping: " + rounded(material.damping) +
+        warnings.push_back("material.damping: " + rounded(material.damping, 3) +
                            " is below 0.2; what a crack releases is radiated, and with less damping it makes debris");
     }
 }

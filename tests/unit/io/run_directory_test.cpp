@@ -78,6 +78,28 @@ TEST(RunDirectory, PathsThatCannotBecomeADirectoryAreRefused) {
     EXPECT_NE(refusal("").find("empty"), std::string::npos);
 }
 
+TEST(RunDirectory, ALockedDirectoryIsRefusedAndKeepsItsFiles) {
+    const Scratch scratch;
+    const RunDirectory run{scratch / "run.out"};
+    {
+        const RunLock lock = run.prepare(world());
+        on_root_then_all([&] { touch(run.file("summary.json")); });
+        EXPECT_EQ(lock.held(), world().is_root());
+        EXPECT_NE(refusal(run.path()).find("another run is writing"), std::string::npos);
+        EXPECT_THROW(run.prepare(world()), InputError);
+        EXPECT_TRUE(fs::exists(run.file("summary.json")));
+        world().barrier();
+    }
+    EXPECT_NO_THROW(run.prepare(world()));
+}
+
+TEST(RunLock, WhereNothingCanBeLockedTheLockIsNotHeld) {
+    const Scratch scratch;
+    const auto lock = RunLock::take(scratch / "missing");
+    ASSERT_TRUE(lock.has_value());
+    EXPECT_FALSE(lock->held());
+}
+
 TEST(RunDirectory, OnlyFilesThatARunWritesAreRemoved) {
     const Scratch scratch;
     const RunDirectory run{scratch / "run.out"};

@@ -60,6 +60,7 @@ TEST(CommandLine, AnswersHelpAndVersion) {
 
 TEST(CommandLine, ExplainsWhatIsWrong) {
     EXPECT_EQ(error_of({}), "no input is named; say cracksim INPUT.yaml, such as cracksim inputs/block.yaml");
+    EXPECT_EQ(error_of({"--version", "--dryrun"}), "--dryrun: unknown option; did you mean '--dry-run'?");
     EXPECT_EQ(error_of({"a.yaml", "--dryrun"}), "--dryrun: unknown option; did you mean '--dry-run'?");
     EXPECT_EQ(error_of({"a.yaml", "--ouput=x"}), "--ouput=x: unknown option; did you mean '--out'?");
     EXPECT_EQ(error_of({"a.yaml", "b.yaml"}),
