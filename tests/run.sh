@@ -55,7 +55,9 @@ check_tidy() {
 
 run_ctest() { ctest --preset "$1" --no-tests=error -j 2; }
 
-stage "set-up" jobs/setup.sh build test
+sections=(build test)
+[[ ${1-} != --long ]] || sections+=(long)
+stage "set-up" jobs/setup.sh "${sections[@]}"
 stage "include rules" python3 tests/include_rules.py
 stage "format" check_format
 stage "build release" jobs/build.sh release
