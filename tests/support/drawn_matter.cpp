@@ -122,6 +122,10 @@ void draw_matter(SceneDraft& draft) {
 }
 
 void draw_sensors(SceneDraft& draft) {
+    if (draft.option(0.35, "tree", "corners")) {
+        draft.scene.duplets = oracle::Duplets::tree;
+        draft.text << "duplets: tree\n";
+    }
     draft.text << "sensors: {" << draw_weibull(draft);
     if (!draft.scene.threshold) {
         const Formula threshold = draw_threshold(draft);

@@ -66,6 +66,8 @@ const std::vector<std::string>& drawable_options() {
                                               "smooth threshold",
                                               "weibull",
                                               "no weibull",
+                                              "corners",
+                                              "tree",
                                               "prefilter",
                                               "no prefilter",
                                               "initial velocity",
