@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
@@ -68,12 +69,13 @@ void draw_displacement(SceneDraft& draft) {
     draft.text << "  displacement: " << quoted_list(u) << '\n';
 }
 
-Formula draw_pull(SceneDraft& draft) {
+/// A support's velocity that strains a length (m) by a few thresholds in the end.
+Formula draw_pull(SceneDraft& draft, double length) {
     if (draft.option(0.25, "support at rest", "moving support")) {
         return constant(0);
     }
     const double duration = static_cast<double>(draft.scene.steps) * draft.scene.step;
-    const double way = draft.signed_number(2, 6) * draft.typical_threshold * draft.length(draft.whole(0, 2));
+    const double way = draft.signed_number(2, 6) * draft.typical_threshold * length;
     const Formula speed = constant(way / duration);
     if (!draft.option(0.5, "support by expression", "uniform support")) {
         return speed;
@@ -83,15 +85,15 @@ Formula draw_pull(SceneDraft& draft) {
     return draft.chance(0.5) ? speed * swing : speed * (constant(1) + swing * from_inside(draft, draft.whole(0, 2)));
 }
 
-Components draw_pulls(SceneDraft& draft) {
+Components draw_pulls(SceneDraft& draft, double length) {
     Components v;
     for (std::size_t i = 0; i < 3; ++i) {
         if (draft.option(0.6, "held component", "free component")) {
-            v[i] = draw_pull(draft);
+            v[i] = draw_pull(draft, length);
         }
     }
     if (!v[0] && !v[1] && !v[2]) {
-        v[draft.whole(0, 2)] = draw_pull(draft);
+        v[draft.whole(0, 2)] = draw_pull(draft, length);
     }
     return v;
 }
@@ -128,9 +130,10 @@ void add_side(SceneDraft& draft, std::size_t axis, bool upper, const Components&
 
 /// Holds the components of all masses that another support leaves free.
 void add_rails(SceneDraft& draft, const Components& taken) {
+    const double length = std::min({draft.length(0), draft.length(1), draft.length(2)});
     Components rails;
     for (std::size_t i = 0; i < 3; ++i) {
-        rails[i] = taken[i] ? std::optional<Formula>{} : draw_pull(draft);
+        rails[i] = taken[i] ? std::optional<Formula>{} : draw_pull(draft, length);
     }
     if (rails[0] || rails[1] || rails[2]) {
         draft.options.insert("overlapping supports");
@@ -140,11 +143,11 @@ void add_rails(SceneDraft& draft, const Components& taken) {
 
 void draw_supports(SceneDraft& draft) {
     const std::size_t axis = draft.whole(0, 2);
-    const Components first = draw_pulls(draft);
+    const Components first = draw_pulls(draft, draft.length(axis));
     draft.text << "supports:\n";
     add_side(draft, axis, false, first);
     if (draft.option(0.4, "supports of both sides", "support of one side")) {
-        add_side(draft, axis, true, draw_pulls(draft));
+        add_side(draft, axis, true, draw_pulls(draft, draft.length(axis)));
     } else if (draft.chance(0.7)) {
         add_rails(draft, first);
     }
