@@ -91,6 +91,27 @@ void compare_motions(const GatheredRun& run, const oracle::Scene& scene, const o
 
 }  // namespace
 
+double growth_of_changes(const oracle::Scene& scene) {
+    const double change = 1e-12 * std::ranges::min(scene.edge);
+    oracle::Scene changed = scene;
+    changed.displacement[0] = [&](const oracle::Vector& at, double t) {
+        const double irregular = std::sin(1e3 * (at[0] + 2 * at[1] + 3 * at[2]) / scene.edge[0]);
+        return scene.displacement[0](at, t) + change * irregular;
+    };
+    const oracle::Outcome one = oracle::run(scene);
+    const oracle::Outcome other = oracle::run(changed);
+    if (!std::ranges::equal(one.events, other.events, {}, event_of, event_of)) {
+        return infinity;
+    }
+    double growth = 0;
+    for (std::size_t m = 0; m < one.displacement.size(); ++m) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            growth = std::max(growth, std::abs(one.displacement[m][i] - other.displacement[m][i]) / change);
+        }
+    }
+    return growth;
+}
+
 Verdict compare_with_oracle(const GatheredRun& run, oracle::Scene scene) {
     Verdict verdict;
     compare_steps(run, scene, verdict);

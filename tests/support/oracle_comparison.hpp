@@ -20,6 +20,11 @@ struct Verdict {
     double difference{0};                                    ///< largest, of u and w at the end, in shortest edges
 };
 
+/// By how much a scene multiplies a small change of its initial displacement until its end, according to the oracle; infinite if
+/// the change makes other events. Rounding grows as much: scenes with a growth above calm_growth are too chaotic to compare.
+[[nodiscard]] double growth_of_changes(const oracle::Scene& scene);
+inline constexpr double calm_growth = 1e3;
+
 /// Same events, step and duplet; u and w at the end to 1e-10 of an edge. Events may differ only from a decision on whose margin is
 /// under 1e-10. The root's to call.
 [[nodiscard]] Verdict compare_with_oracle(const GatheredRun& run, oracle::Scene scene);

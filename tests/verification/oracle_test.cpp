@@ -36,6 +36,7 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
 struct Tally {
     std::map<std::string, std::uint64_t> drawn;
     std::uint64_t scenes{0};
+    std::uint64_t chaotic{0};  ///< not compared
     std::uint64_t splitting{0};
     std::uint64_t undecided{0};
     std::size_t events{0};
@@ -59,12 +60,18 @@ struct Tally {
 
 std::ostream& operator<<(std::ostream& out, const Tally& tally) {
     out << tally.scenes << " scenes on " << world().size() << " ranks: " << tally.splitting << " split, "
-        << tally.events << " events, " << tally.splits << " unions gained, " << tally.undecided << " undecided\n"
+        << tally.events << " events, " << tally.splits << " unions gained, " << tally.undecided << " undecided; "
+        << tally.chaotic << " others too chaotic to compare\n"
         << "largest difference " << tally.difference << " edges, smallest margin " << tally.margin << '\n';
     for (const auto& [option, count] : tally.drawn) {
         out << "  " << count << " with " << option << '\n';
     }
     return out;
+}
+
+/// Collective.
+bool is_calm(const DrawnScene& drawn) {
+    return !world().any(world().is_root() && !(growth_of_changes(drawn.scene) < calm_growth));
 }
 
 /// Collective; the verdict is the root's, but for a scene that is refused or breaks down.
@@ -84,6 +91,10 @@ Verdict judge(const DrawnScene& drawn) {
 /// Collective; what is wrong is said by the root.
 bool scene_agrees(std::uint64_t seed, Tally& tally) {
     const DrawnScene drawn = draw_scene(seed);
+    if (!is_calm(drawn)) {
+        ++tally.chaotic;
+        return true;
+    }
     const Verdict verdict = judge(drawn);
     tally.add(drawn, verdict);
     if (world().is_root()) {
@@ -111,9 +122,10 @@ TEST(Oracle, AgreesWithCracksimOnRandomScenes) {
         return;
     }
     std::cout << tally;
-    if (count < whole_campaign || tally.scenes < count) {
+    if (count < whole_campaign || tally.scenes + tally.chaotic < count) {
         return;
     }
+    EXPECT_LE(20 * tally.chaotic, count) << "too few scenes were compared";
     for (const std::string& option : drawable_options()) {
         EXPECT_TRUE(tally.drawn.contains(option)) << option << " was never drawn";
     }
