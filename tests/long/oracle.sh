@@ -11,7 +11,7 @@ failed=0
 
 echo "$(date -u +%F), commit $(git rev-parse --short HEAD)"
 for ranks in 1 2 1 2; do
-    CRACKSIM_SEED=$seed mpirun -n "$ranks" build/release/tests/verification_oracle_test --gtest_brief=1 || failed=1
+    CRACKSIM_SEED=$seed mpirun -n "$ranks" build/release/tests/verification_oracle_test --gtest_brief=1 --gtest_color=no || failed=1
     seed=$((seed + CRACKSIM_SCENES))
 done
 exit "$failed"
