@@ -121,7 +121,7 @@ def two_runs_do_not_share_a_directory(workplace, quick):
 def error_of_the_root_alone_ends_all_ranks(workplace, quick):
     del quick
     huge = SCENE.replace("[4, 4, 2]", "[720, 720, 700]")
-    done = workplace.run(workplace.write(huge), "--dry-run", ranks=2)
+    done = workplace.run(workplace.write(huge), ranks=2)
     check(done.returncode == 1, f"the exit code is {done.returncode}, not 1\n{done.stdout}{done.stderr}")
     check(len(message_lines(done, "METIS")) == 1, f"METIS is not named in one line:\n{done.stderr}")
 

@@ -20,5 +20,11 @@ TEST(PeakResidentBytes, GrowsWithMemoryThatIsUsedAndStaysAfterIt) {
     EXPECT_GT(peak_resident_bytes(), std::max(before, static_cast<std::int64_t>(bytes)));
 }
 
+TEST(AvailableBytes, AreKnownAndMoreThanNothing) {
+    const auto available = available_bytes();
+    ASSERT_TRUE(available);
+    EXPECT_GT(*available, 1 << 20);
+}
+
 }  // namespace
 }  // namespace cracksim::io
