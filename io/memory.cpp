@@ -1,6 +1,7 @@
 #include "io/memory.hpp"
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <sstream>
@@ -22,6 +23,13 @@ std::int64_t peak_resident_bytes() {
     struct rusage usage {};
     getrusage(RUSAGE_SELF, &usage);
     return usage.ru_maxrss * kilobyte;
+}
+
+std::int64_t machine_bytes() {
+    const std::int64_t all = std::int64_t{sysconf(_SC_PHYS_PAGES)} * sysconf(_SC_PAGESIZE);
+    struct rlimit limit {};
+    const bool limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur < static_cast<rlim_t>(all);
+    return limited ? static_cast<std::int64_t>(limit.rlim_cur) : all;
 }
 
 }  // namespace cracksim::io

@@ -57,6 +57,15 @@ std::int64_t Communicator::sum_below(std::int64_t value) const {
 
 void Communicator::barrier() const { MPI_Barrier(comm_); }
 
+int Communicator::ranks_on_this_machine() const {
+    MPI_Comm here = MPI_COMM_NULL;
+    MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
+    int ranks = 1;
+    MPI_Comm_size(here, &ranks);
+    MPI_Comm_free(&here);
+    return ranks;
+}
+
 std::string Communicator::broadcast(std::string text) const {
     std::uint64_t length = text.size();
     MPI_Bcast(&length, 1, MPI_UINT64_T, 0, comm_);

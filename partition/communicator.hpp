@@ -35,6 +35,8 @@ public:
     /// Sum of the values of all lower ranks.
     [[nodiscard]] std::int64_t sum_below(std::int64_t value) const;
     void barrier() const;
+    /// How many of the ranks run on the same machine as this one.
+    [[nodiscard]] int ranks_on_this_machine() const;
 
     /// The root's text on every rank.
     [[nodiscard]] std::string broadcast(std::string text) const;

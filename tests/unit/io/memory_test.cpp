@@ -1,6 +1,7 @@
 #include "io/memory.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <vector>
@@ -18,6 +19,20 @@ TEST(PeakResidentBytes, GrowsWithMemoryThatIsUsedAndStaysAfterIt) {
     }
     EXPECT_EQ(last, 1);
     EXPECT_GT(peak_resident_bytes(), std::max(before, static_cast<std::int64_t>(bytes)));
+}
+
+TEST(MachineBytes, AreMoreThanThisProcessHoldsAndFollowItsLimit) {
+    const std::int64_t machine = machine_bytes();
+    EXPECT_GT(machine, peak_resident_bytes());
+    struct rlimit limit {};
+    ASSERT_EQ(getrlimit(RLIMIT_AS, &limit), 0);
+    const rlim_t before = limit.rlim_cur;
+    limit.rlim_cur = static_cast<rlim_t>(machine) - 1;
+    ASSERT_EQ(setrlimit(RLIMIT_AS, &limit), 0);
+    const std::int64_t limited = machine_bytes();
+    limit.rlim_cur = before;
+    ASSERT_EQ(setrlimit(RLIMIT_AS, &limit), 0);
+    EXPECT_EQ(limited, machine - 1);
 }
 
 }  // namespace
