@@ -55,7 +55,7 @@ check_tidy() {
 
 run_ctest() { ctest --preset "$1" --no-tests=error -j 2; }
 
-stage "set-up" jobs/setup.sh build test
+stage "set-up" jobs/setup.sh build test ${1:+long}
 stage "include rules" python3 tests/include_rules.py
 stage "format" check_format
 stage "build release" jobs/build.sh release
