@@ -2,6 +2,7 @@
 
 #include <muParser.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "core/errors.hpp"
+#include "io/expression_error.hpp"
 #include "io/input_text.hpp"
 #include "io/number_text.hpp"
 #include "io/text_file.hpp"
@@ -76,7 +78,9 @@ void check_text(std::string_view text) {
     constexpr std::string_view characters =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.+-*/^(),<>=!&|?: \n";
     if (const std::size_t i = text.find_first_not_of(characters); i != std::string_view::npos) {
-        throw InputError{"the character at position " + std::to_string(i) + " has no meaning in an expression"};
+        const std::size_t length = std::max(utf8_length(text.substr(i)), std::size_t{1});
+        throw InputError{"'" + shortened(text.substr(i, length)) + "' at character " + std::to_string(i + 1) +
+                         " has no meaning in an expression"};
     }
     if (assigns(text)) {
         throw InputError{"'=' does not compare; write '=='"};
@@ -135,7 +139,7 @@ Expression::Expression(std::string text) : text_{std::move(text)} {
         check_text(text_);
         formula_ = std::make_unique<Formula>(text_);
     } catch (const mu::ParserError& error) {
-        explain(error.GetMsg());
+        explain(explanation(error));
     } catch (const InputError& error) {
         explain(error.what());
     }
@@ -181,7 +185,7 @@ std::string Expression::allowed() {
 Expression read_expression(const InputNode& node) {
     if (!node.is_scalar()) {
         node.fail("needs a number or an expression, not " + node.shown() +
-                  "; put an expression that holds ': ' in quotes");
+                  (node.is_map() ? "; put an expression that holds ': ' in quotes" : ""));
     }
     const std::string text = node.text();
     if (const auto infinite = to_infinity(text)) {

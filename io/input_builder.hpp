@@ -32,14 +32,11 @@ class InputBuilder : public YAML::EventHandler {
 public:
     static constexpr std::size_t deepest = 50;
 
-    /// place: the file, or the setting whose value is parsed; a setting has no lines.
-    InputBuilder(RawNode& root, std::string place, bool has_lines)
-        : root_{&root}, place_{std::move(place)}, has_lines_{has_lines} {}
+    InputBuilder(RawNode& root, TextSource source) : root_{&root}, source_{std::move(source)} {}
 
     [[nodiscard]] std::string at(const YAML::Mark& mark) const {
-        return !has_lines_ || mark.is_null()
-                   ? place_
-                   : place_ + ":" + std::to_string(mark.line + 1) + ":" + std::to_string(mark.column + 1);
+        const auto counted = [](int from_0) { return static_cast<std::size_t>(from_0) + 1; };
+        return mark.is_null() ? source_.name : source_.at(counted(mark.line), counted(mark.column));
     }
 
     void OnDocumentStart(const YAML::Mark& mark) override {
@@ -75,9 +72,10 @@ public:
             "that begins with * or & in quotes"};
     }
 
-    /// For a parser that met the end of the text too soon: its own mark is not where the user must look.
+    /// For a parser that misses a bracket: its own mark is not where the user must look.
     [[noreturn]] void refuse_open_bracket() const {
-        throw InputError{(open_.empty() ? place_ : open_.back().place) + ": a bracket opens here and is not closed"};
+        throw InputError{(open_.empty() ? source_.name : open_.back().place) +
+                         ": the bracket that opens here is not closed, or an expression in it needs quotes"};
     }
 
 private:
@@ -163,8 +161,7 @@ private:
     }
 
     RawNode* root_;
-    std::string place_;
-    bool has_lines_;
+    TextSource source_;
     int documents_{0};
     std::vector<Open> open_;
 };

@@ -10,21 +10,8 @@
 
 namespace cracksim::io {
 
-/// Text of the input as a message may show it: one line, not too long.
-[[nodiscard]] inline std::string shortened(std::string text) {
-    constexpr std::size_t longest = 60;
-    if (text.size() > longest) {
-        std::size_t end = longest;
-        while ((static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
-            --end;
-        }
-        text = text.substr(0, end) + "...";
-    }
-    for (char& c : text) {
-        c = static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
-    }
-    return text;
-}
+/// A scene's file is at most so large, bytes.
+inline constexpr std::size_t largest_input = std::size_t{4} << 20U;
 
 /// Bytes of the UTF-8 sequence that begins the text; 0 if there is none.
 [[nodiscard]] inline std::size_t utf8_length(std::string_view text) {
@@ -45,42 +32,66 @@ namespace cracksim::io {
     return length;
 }
 
-/// Where a reader of the text is; line and column count from 1, columns in bytes.
-struct TextPosition {
-    std::size_t line{1};
-    std::size_t column{1};
+/// Text of the input as a message may show it: one line, not too long, in UTF-8.
+[[nodiscard]] inline std::string shortened(std::string_view text) {
+    constexpr std::size_t longest = 60;
+    std::string shown;
+    while (!text.empty()) {
+        const bool is_text = utf8_length(text) > 0;
+        const std::size_t length = is_text ? utf8_length(text) : 1;
+        if (shown.size() + length > longest) {
+            return shown + "...";
+        }
+        const auto first = static_cast<unsigned char>(text.front());
+        shown += !is_text ? "?" : first < 0x20 || first == 0x7f ? " " : std::string{text.substr(0, length)};
+        text.remove_prefix(length);
+    }
+    return shown;
+}
 
-    [[nodiscard]] std::string in(const std::string& file) const {
-        return file + ":" + std::to_string(line) + ":" + std::to_string(column);
+/// Where a text comes from: a file, or a setting, which has no lines.
+struct TextSource {
+    std::string name;
+    bool has_lines;
+
+    /// Line and column count from 1, columns in bytes.
+    [[nodiscard]] std::string at(std::size_t line, std::size_t column) const {
+        return has_lines ? name + ":" + std::to_string(line) + ":" + std::to_string(column) : name;
     }
 };
 
 /// Throws InputError unless the text is UTF-8 without control characters.
-inline void check_characters(std::string_view text, const std::string& file) {
-    TextPosition at;
+inline void check_characters(std::string_view text, const TextSource& source) {
+    std::size_t line = 1;
+    std::size_t column = 1;
     for (std::size_t i = 0; i < text.size();) {
         const std::size_t length = utf8_length(text.substr(i));
         const auto byte = static_cast<unsigned char>(text[i]);
         if (length == 0 || (byte < 0x20U && text[i] != '\t' && text[i] != '\n')) {
             char shown[8];
             std::snprintf(shown, sizeof shown, "0x%02X", static_cast<unsigned>(byte));
-            throw InputError{at.in(file) + ": the byte " + shown + " is not text; a scene is a YAML file in UTF-8"};
+            throw InputError{source.at(line, column) + ": the byte " + shown +
+                             " is not text; a scene is YAML in UTF-8"};
         }
-        at = text[i] == '\n' ? TextPosition{at.line + 1, 1} : TextPosition{at.line, at.column + length};
+        if (text[i] == '\n') {
+            ++line;
+            column = 1;
+        } else {
+            column += length;
+        }
         i += length;
     }
 }
 
 /// Throws InputError where a tab is part of a line's indentation: YAML wants spaces, and its own message about it helps nobody.
 /// Tabs in blank lines, which no one sees, become spaces.
-inline void clean_indentation(std::string& text, const std::string& file) {
+inline void clean_indentation(std::string& text, const TextSource& source) {
     for (std::size_t begin = 0, line = 1; begin < text.size(); ++line) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         const std::size_t first = std::min(text.find_first_not_of(" \t", begin), end);
         const std::size_t tab = std::min(text.find('\t', begin), first);
         if (tab < first && first < end) {
-            throw InputError{TextPosition{line, tab - begin + 1}.in(file) +
-                             ": a tab indents this line; YAML takes spaces only"};
+            throw InputError{source.at(line, tab - begin + 1) + ": a tab indents this line; YAML takes spaces only"};
         }
         std::replace(text.begin() + static_cast<std::ptrdiff_t>(begin),
                      text.begin() + static_cast<std::ptrdiff_t>(first), '\t', ' ');
@@ -103,17 +114,16 @@ inline void clean_indentation(std::string& text, const std::string& file) {
 }
 
 /// The text as the parser wants it. Throws InputError if it cannot be a scene.
-[[nodiscard]] inline std::string checked_text(std::string_view text, const std::string& file) {
-    constexpr std::size_t largest = std::size_t{4} << 20U;
-    if (text.size() > largest) {
-        throw InputError{file + ": has more than 4 MiB; a scene is a short text: is this the right file?"};
+[[nodiscard]] inline std::string checked_text(std::string_view text, const TextSource& source) {
+    if (text.size() > largest_input) {
+        throw InputError{source.name + ": has more than 4 MiB; a scene is a short text: is this the right file?"};
     }
     if (text.starts_with("\xEF\xBB\xBF")) {
         text.remove_prefix(3);
     }
     std::string checked = with_unix_line_ends(text);
-    check_characters(checked, file);
-    clean_indentation(checked, file);
+    check_characters(checked, source);
+    clean_indentation(checked, source);
     // yaml-cpp takes a quote that is never closed if a line end follows.
     checked.erase(checked.find_last_not_of(" \n") + 1);
     return checked;

@@ -20,9 +20,10 @@ namespace {
 
 using Kind = RawNode::Kind;
 
-RawNode parse_yaml(const std::string& text, const std::string& place, bool has_lines) {
+RawNode parse_yaml(std::string_view bytes, const TextSource& source) {
+    const std::string text = checked_text(bytes, source);
     RawNode root;
-    InputBuilder builder{root, place, has_lines};
+    InputBuilder builder{root, source};
     std::istringstream stream{text};
     try {
         YAML::Parser parser{stream};
@@ -35,8 +36,11 @@ RawNode parse_yaml(const std::string& text, const std::string& place, bool has_l
         if (error.msg == YAML::ErrorMsg::END_OF_SEQ_FLOW || error.msg == YAML::ErrorMsg::END_OF_MAP_FLOW) {
             builder.refuse_open_bracket();
         }
+        if (error.msg == YAML::ErrorMsg::EOF_IN_SCALAR) {
+            throw InputError{builder.at(error.mark) + ": the text ends inside a quote; close it where it should end"};
+        }
         throw InputError{
-            builder.at(error.mark) + ": not valid YAML: " + error.msg +
+            builder.at(error.mark) + ": not valid YAML: " + shortened(error.msg) +
             "; check brackets, colons and indentation here and just before, and put expressions in quotes"};
     }
     return root;
@@ -99,7 +103,7 @@ std::string InputNode::shown() const {
     switch (raw_->kind) {
         case Kind::list: return "a list";
         case Kind::map: return "a map";
-        case Kind::null: return "null";
+        case Kind::null: return "an empty value";
         case Kind::scalar: break;
     }
     return "'" + shortened(raw_->text) + "'";
@@ -110,16 +114,20 @@ bool InputNode::is_scalar() const { return raw_->kind == Kind::scalar; }
 bool InputNode::is_list() const { return raw_->kind == Kind::list; }
 bool InputNode::is_map() const { return raw_->kind == Kind::map; }
 
-double InputNode::number(Infinity infinite) const {
+double InputNode::number(Infinity infinity, const std::string& wanted) const {
     const std::string_view text = is_scalar() ? std::string_view{raw_->text} : std::string_view{};
     if (const auto value = to_number(text)) {
         return *value;
     }
-    const auto value = to_infinity(text);
-    if (value && infinite == Infinity::allowed) {
-        return *value;
+    const auto infinite = to_infinity(text);
+    if (infinite && infinity == Infinity::allowed) {
+        return *infinite;
     }
-    fail(std::string{value ? "must be finite" : "needs a number"} + ", not " + shown());
+    const char* hint = infinite                                   ? "; it must be finite"
+                       : is_beyond_range(text)                    ? "; numbers reach from 2.3e-308 to 1.7e308"
+                       : text.find(',') != std::string_view::npos ? "; the decimal sign is a point"
+                                                                  : "";
+    fail("needs " + wanted + ", not " + shown() + hint);
 }
 
 std::int64_t InputNode::integer(std::int64_t least, std::int64_t most) const {
@@ -146,10 +154,11 @@ std::string InputNode::text() const {
 
 std::string InputNode::word(std::span<const std::string_view> words) const {
     if (!is_scalar()) {
-        fail("needs one of " + listed(words) + ", not " + shown());
+        fail((words.size() > 1 ? "needs one of " : "needs ") + listed(words) + ", not " + shown());
     }
     if (std::ranges::find(words, raw_->text) == words.end()) {
-        fail("does not know " + shown() + "; " + suggestion(raw_->text, words, "take one of"));
+        fail("does not know " + shown() + "; " +
+             suggestion(raw_->text, words, words.size() > 1 ? "take one of" : "take"));
     }
     return raw_->text;
 }
@@ -167,10 +176,10 @@ std::vector<InputNode> InputNode::list() const {
 
 std::vector<InputNode> InputNode::list(std::size_t size) const {
     if (!is_list() || raw_->children.size() != size) {
+        const bool too_many = is_list() && raw_->children.size() > size;
         fail("needs a list of " + std::to_string(size) + " values, not " +
-             (is_list()
-                  ? "of " + std::to_string(raw_->children.size()) + "; put an expression that holds commas in quotes"
-                  : shown()));
+             (is_list() ? "of " + std::to_string(raw_->children.size()) : shown()) +
+             (too_many ? "; put an expression that holds commas in quotes" : ""));
     }
     return list();
 }
@@ -201,14 +210,13 @@ std::optional<InputNode> InputNode::find(std::string_view key) const {
 InputNode InputNode::at(std::string_view key) const {
     const auto found = find(key);
     if (!found) {
-        fail("the key '" + std::string{key} + "' is missing");
+        fail("the key '" + std::string{key} + "' is missing; add it (inputs/README.md lists what it takes)");
     }
     return *found;
 }
 
 InputTree::InputTree(std::string_view text, std::string file) : file_{std::move(file)} {
-    const std::string checked = checked_text(text, file_);
-    root_ = std::make_unique<RawNode>(parse_yaml(checked, file_, true));
+    root_ = std::make_unique<RawNode>(parse_yaml(text, {file_, true}));
     if (root_->kind == Kind::null) {
         throw InputError{file_ + ": is empty; a scene needs at least block, material or network, and time"};
     }
@@ -227,13 +235,13 @@ void InputTree::set(std::string_view setting) {
     const std::string place = "--set " + shortened(path);
     const auto keys = split_path(path);
     if (equals == std::string_view::npos || std::ranges::find(keys, "") != keys.end()) {
-        throw InputError{"--set " + shortened(std::string{setting}) +
-                         ": needs the form key.path=value, such as time.end=0.5"};
+        throw InputError{"--set: needs the form key.path=value, such as time.end=0.5, not '" + shortened(setting) +
+                         "'"};
     }
     if (keys.size() > InputBuilder::deepest) {
         throw InputError{place + ": no key of a scene is that deep"};
     }
-    RawNode value = parse_yaml(checked_text(setting.substr(equals + 1), place), place, false);
+    RawNode value = parse_yaml(setting.substr(equals + 1), {place, false});
     RawNode* node = root_.get();
     for (const std::string& key : keys) {
         node = &child_for(*node, key, place);

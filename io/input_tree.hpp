@@ -25,7 +25,7 @@ public:
     /// What every message about this value begins with: "file:line:column: key.path: ".
     [[nodiscard]] std::string place() const;
 
-    /// The value as an error message shows it: 'text', "a list", "a map", or "null".
+    /// The value as an error message shows it: 'text', "a list", "a map", or "an empty value".
     [[nodiscard]] std::string shown() const;
     /// Key path with dots, list items by index: "supports.0.name"; empty for the root.
     [[nodiscard]] const std::string& path() const { return path_; }
@@ -34,7 +34,8 @@ public:
     [[nodiscard]] bool is_list() const;
     [[nodiscard]] bool is_map() const;
 
-    [[nodiscard]] double number(Infinity infinity = Infinity::refused) const;
+    /// wanted: what a message says that is needed here.
+    [[nodiscard]] double number(Infinity infinity = Infinity::refused, const std::string& wanted = "a number") const;
     /// 1e3 is an integer, 1.5 is not.
     [[nodiscard]] std::int64_t integer(std::int64_t least, std::int64_t most) const;
     [[nodiscard]] bool boolean() const;

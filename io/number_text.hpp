@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -9,6 +10,14 @@
 #include <string_view>
 
 namespace cracksim::io {
+
+/// Such a number is 0 in all arithmetic here (float_environment.hpp), so it is told by its bits.
+[[nodiscard]] inline bool is_subnormal(double value) {
+    constexpr std::uint64_t exponent = 0x7ff0000000000000U;
+    constexpr std::uint64_t fraction = 0x000fffffffffffffU;
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    return (bits & exponent) == 0 && (bits & fraction) != 0;
+}
 
 /// A finite number in decimal notation and nothing else; ".inf" is not one. Never depends on the locale.
 [[nodiscard]] inline std::optional<double> to_number(std::string_view text) {
@@ -22,7 +31,16 @@ namespace cracksim::io {
     }
     double value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc{} && end == text.data() + text.size() ? std::optional{value} : std::nullopt;
+    const bool whole = error == std::errc{} && end == text.data() + text.size();
+    return whole && !is_subnormal(value) ? std::optional{value} : std::nullopt;
+}
+
+/// Is this a decimal number that is too large, or too near 0, to be held?
+[[nodiscard]] inline bool is_beyond_range(std::string_view text) {
+    text.remove_prefix(text.starts_with('+') ? 1 : 0);
+    double value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return end == text.data() + text.size() && (error == std::errc::result_out_of_range || is_subnormal(value));
 }
 
 /// YAML's infinities: .inf, -.inf and their other spellings.

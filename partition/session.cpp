@@ -4,12 +4,15 @@
 #include <petscsys.h>
 
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <stdexcept>
 
 namespace cracksim::partition {
 
 Session::Session(int argc, char** argv) {
+    // A file that grows beyond a limit is then an error of that file, which is told, and not the end of the process.
+    std::signal(SIGXFSZ, SIG_IGN);
     MPI_Init(&argc, &argv);
     // PETSc's own handlers would answer signals and MPI errors with pages of text on every rank.
     if (PetscInitializeNoArguments() != 0) {

@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "core/errors.hpp"
 #include "core/float_environment.hpp"
@@ -16,6 +17,14 @@ int main(int argc, char** argv) {
         if (comm.is_root()) {
             std::fprintf(stderr, "cracksim: %s\n", text);
         }
+    };
+    // The other ranks know nothing of it and would wait for ever.
+    const auto end_all_ranks = [&](const char* text) {
+        std::fprintf(stderr, "cracksim: rank %d: %s\n", comm.rank().value(), text);
+        if (comm.size() > 1) {
+            partition::Session::abort(1);
+        }
+        return 1;
     };
     try {
         const auto command = simulation::parse(argc, argv);
@@ -34,12 +43,9 @@ int main(int argc, char** argv) {
     } catch (const SharedError& error) {
         say(error.what());
         return 1;
+    } catch (const std::bad_alloc&) {
+        return end_all_ranks("not enough memory; use fewer block.cells, or more machines");
     } catch (const std::exception& error) {
-        // The other ranks know nothing of this and would wait for ever.
-        std::fprintf(stderr, "cracksim: rank %d: %s\n", comm.rank().value(), error.what());
-        if (comm.size() > 1) {
-            partition::Session::abort(1);
-        }
-        return 1;
+        return end_all_ranks(error.what());
     }
 }

@@ -22,7 +22,7 @@ SEES = {
     "tests": ["core", "physics", "topology", "geometry", "partition", "io", "simulation"],
 }
 
-TEST_FOLDERS = ["support", "unit"]  # where tests share headers
+TEST_FOLDERS = ["fuzz", "support", "unit"]  # where tests share headers
 
 # Each outside library, by the beginning of its headers' paths, and the rooms that may name it; tests may name any.
 LIBRARIES = {

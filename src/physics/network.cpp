@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/contracts.hpp"
+#include "core/text.hpp"
 
 namespace cracksim::physics {
 
@@ -169,8 +170,9 @@ void Network::set_thresholds(const Thresholds& thresholds) {
             const double value = thresholds.of(mass(a), mass(b), at);
             threshold_[i * duplets_per_interface + static_cast<std::size_t>(k)] = value;
             if (!(value > 0) && !invalid_threshold_) {
-                invalid_threshold_ = "the threshold at x = " + std::to_string(at.x) + ", y = " + std::to_string(at.y) +
-                                     ", z = " + std::to_string(at.z) + " m is " + std::to_string(value);
+                invalid_threshold_ = "the threshold at x = " + rounded(at.x, 6) + ", y = " + rounded(at.y, 6) +
+                                     ", z = " + rounded(at.z, 6) + " m is " +
+                                     (std::isnan(value) ? "not a number" : rounded(value, 6));
             }
         }
     }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/text.hpp"
+
 namespace cracksim::physics {
 
 namespace {
@@ -32,8 +34,8 @@ std::optional<std::string> conflict_at(const Network& network, LocalMass m) {
             if (holder[axis] != nullptr) {
                 return "supports '" + holder[axis]->name + "' and '" + support.name +
                        "' both prescribe the velocity along " + axis_name[axis] + " of mass " +
-                       std::to_string(network.mass(m).value()) + " at x = " + std::to_string(rest.x) +
-                       ", y = " + std::to_string(rest.y) + ", z = " + std::to_string(rest.z) + " m";
+                       std::to_string(network.mass(m).value()) + " at x = " + rounded(rest.x, 6) +
+                       ", y = " + rounded(rest.y, 6) + ", z = " + rounded(rest.z, 6) + " m";
             }
             holder[axis] = &support;
         }

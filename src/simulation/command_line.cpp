@@ -1,7 +1,9 @@
 #include "simulation/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "core/errors.hpp"
@@ -17,8 +19,8 @@ constexpr const char* footer =
     "Exit codes: 0 finished, 2 wrong command line or input, 3 the run became invalid, 1 anything else.\n"
     "inputs/README.md lists every key of an input.\n";
 
-constexpr std::array<std::string_view, 9> options{"--out",      "--set",     "--dry-run", "--audit", "--quiet",
-                                                  "--progress", "--version", "--help",    "-h"};
+constexpr std::array<std::string_view, 8> options{"--out",   "--set",      "--dry-run", "--audit",
+                                                  "--quiet", "--progress", "--version", "--help"};
 constexpr std::array<std::string_view, 3> later{"--restart", "--wall-time", "--petsc"};
 
 std::string_view name_part(std::string_view argument) { return argument.substr(0, argument.find('=')); }
@@ -27,9 +29,54 @@ void refuse_later_options(int argc, const char* const* argv) {
     for (int i = 1; i < argc; ++i) {
         for (const std::string_view option : later) {
             if (name_part(argv[i]) == option) {
-                throw InputError{std::string{option} + ": not available in cracksim 0.1"};
+                throw InputError{std::string{option} + ": not available in cracksim 0.1; leave it out"};
             }
         }
+    }
+}
+
+/// An option that takes a value.
+struct Valued {
+    std::string_view name;
+    const char* value;
+    const char* hint;
+    bool repeats;
+};
+constexpr std::array<Valued, 3> valued{
+    {{"--out", "the name of a directory", "one whose name begins with - is written ./-name", false},
+     {"--set", "key.path=value", "time.end=0.5 sets the end to 0.5 s", true},
+     {"--progress", "plain or live", "plain is a line now and then, live one line that is redrawn", false}}};
+
+/// CLI11 takes whatever follows, be it the next option, for the value.
+void check_value(const Valued& option, std::string_view argument, std::optional<std::string_view> next) {
+    const bool joined = argument.size() > option.name.size();
+    const std::string_view value = joined ? argument.substr(option.name.size() + 1) : next.value_or("");
+    if (value.empty() || (!joined && value.starts_with("-"))) {
+        throw InputError{std::string{option.name} + ": needs " + option.value + " after it" +
+                         (value.empty() ? "" : ", not '" + std::string{value} + "'") + "; " + option.hint};
+    }
+}
+
+/// Throws where a value is missing, or an option that takes none has one, or is given again.
+void check_options(int argc, const char* const* argv) {
+    std::vector<std::string_view> seen;
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view argument{argv[i]};
+        const std::string_view name = name_part(argument);
+        const auto option = std::ranges::find(valued, name, &Valued::name);
+        if (option == valued.end()) {
+            const bool known = std::ranges::find(options, name) != options.end();
+            if (known && name.size() < argument.size()) {
+                throw InputError{std::string{argument} + ": takes no value; write " + std::string{name}};
+            }
+            continue;
+        }
+        check_value(*option, argument, i + 1 < argc ? std::optional<std::string_view>{argv[i + 1]} : std::nullopt);
+        if (!option->repeats && std::ranges::find(seen, name) != seen.end()) {
+            throw InputError{std::string{name} + ": is given twice; give one"};
+        }
+        seen.push_back(name);
+        i += name.size() == argument.size() ? 1 : 0;
     }
 }
 
@@ -76,6 +123,7 @@ std::filesystem::path CommandLine::directory() const {
 
 std::variant<CommandLine, Answer> parse(int argc, const char* const* argv) {
     refuse_later_options(argc, argv);
+    check_options(argc, argv);
     CommandLine command;
     std::string progress = "plain";
     bool version = false;
@@ -96,9 +144,6 @@ std::variant<CommandLine, Answer> parse(int argc, const char* const* argv) {
     }
     if (command.input.empty()) {
         throw InputError{"no input is named; say cracksim INPUT.yaml, such as cracksim inputs/block.yaml"};
-    }
-    if (command.out && command.out->empty()) {
-        throw InputError{"--out: needs the name of a directory"};
     }
     command.progress = progress_style(progress);
     return command;

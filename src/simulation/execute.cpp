@@ -1,7 +1,5 @@
 #include "simulation/execute.hpp"
 
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +7,7 @@
 
 #include "core/errors.hpp"
 #include "io/agreement.hpp"
+#include "io/input_file.hpp"
 #include "io/log.hpp"
 #include "io/run_directory.hpp"
 #include "io/summary.hpp"
@@ -32,17 +31,10 @@ namespace {
 std::string read_input(const partition::Communicator& comm, const std::filesystem::path& path) {
     std::string text;
     std::optional<std::string> problem;
-    if (comm.is_root()) {
-        std::error_code ignored;
-        std::ifstream file{path, std::ios::binary};
-        if (std::filesystem::is_directory(path, ignored)) {
-            problem = path.string() + ": is a directory; name a scene file such as inputs/block.yaml";
-        } else if (!file) {
-            problem =
-                path.string() + ": cannot be opened; check the path (scenes are YAML files such as inputs/block.yaml)";
-        } else {
-            text.assign(std::istreambuf_iterator<char>{file}, {});
-        }
+    try {
+        text = comm.is_root() ? io::read_input_file(path) : "";
+    } catch (const InputError& error) {
+        problem = error.what();
     }
     if (const auto said = comm.first(problem)) {
         throw InputError{*said};
@@ -124,6 +116,9 @@ int execute(const partition::Communicator& comm, const CommandLine& command) {
     directory.check(comm);
     const CertifiedStep certified = certify_step(scene);
     const Forecast estimated = estimate(scene, certified, machine);
+    if (!command.dry_run) {
+        check_memory(scene, estimated, machine);
+    }
     if (const auto warning = memory_warning(estimated, machine)) {
         log.warn(*warning);
     }

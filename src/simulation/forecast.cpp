@@ -23,7 +23,7 @@ Machine look_around(const partition::Communicator& comm) {
     const std::int64_t held = io::peak_resident_bytes();
     const auto available = io::available_bytes();
     const std::int64_t room = available ? *available / here + held : 0;
-    Machine machine{comm.size(), comm.max(here), comm.max(held), std::nullopt};
+    Machine machine{comm.size(), comm.max(here), comm.max(held), comm.min(io::share_of_memory(here)), std::nullopt};
     if (!comm.any(!available)) {
         machine.room_per_rank = comm.min(room);
     }
@@ -53,6 +53,16 @@ Forecast forecast(const Simulation& simulation, const Machine& machine) {
             {comm.max(here.intact), comm.max(here.broken)},
             comm.sum(load.sent) * static_cast<std::int64_t>(sizeof(Vec3)),
             forecast_output(simulation.scene(), simulation.certified())};
+}
+
+void check_memory(const Scene& scene, const Forecast& forecast, const Machine& machine) {
+    const std::int64_t need = forecast.memory_per_rank.intact;
+    if (need > machine.memory_per_rank) {
+        throw InputError{scene.places.cells + std::to_string(scene.block.entity_count()) + " entities need about " +
+                         bytes_text(static_cast<double>(need)) + " a rank, and a rank can have " +
+                         bytes_text(static_cast<double>(machine.memory_per_rank)) +
+                         " of its machine's memory; use fewer cells, or more machines"};
+    }
 }
 
 std::optional<std::string> memory_warning(const Forecast& forecast, const Machine& machine) {

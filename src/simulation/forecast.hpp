@@ -18,6 +18,8 @@ struct Machine {
     int ranks;
     std::int64_t ranks_here;     ///< the most that share one machine
     std::int64_t process_bytes;  ///< the most that one rank's process holds already
+    std::int64_t
+        memory_per_rank;  ///< what a rank may hold at most, with nothing else on its machine but the other ranks
     /// What one rank may hold if all ranks of its machine take the same, on the machine that has least; empty: not known.
     std::optional<std::int64_t> room_per_rank;
 };
@@ -38,6 +40,8 @@ struct Forecast {
 /// With the parts as they are. Collective.
 [[nodiscard]] Forecast forecast(const Simulation& simulation, const Machine& machine);
 
+/// Throws InputError if no machine at hand can hold its ranks even if nothing breaks: the system would kill the run.
+void check_memory(const Scene& scene, const Forecast& forecast, const Machine& machine);
 /// What to tell if the ranks of a machine need more memory than it has.
 [[nodiscard]] std::optional<std::string> memory_warning(const Forecast& forecast, const Machine& machine);
 

@@ -59,8 +59,8 @@ std::optional<std::string> finding(const physics::Network& network, const physic
         const Vec3 u = initial.displacement(at);
         const Vec3 v = initial.velocity(at);
         if (!is_finite(u) || !is_finite(v)) {
-            return places.initial + "the displacement or velocity at x = " + rounded(at.x, 6) +
-                   ", y = " + rounded(at.y, 6) + ", z = " + rounded(at.z, 6) +
+            return places.initial + (is_finite(u) ? "the velocity" : "the displacement") +
+                   " at x = " + rounded(at.x, 6) + ", y = " + rounded(at.y, 6) + ", z = " + rounded(at.z, 6) +
                    " m is not a finite number; change the expression";
         }
     }
@@ -81,7 +81,7 @@ CertifiedStep certify_step(const Scene& scene) {
     const double step = scene.time.step.value_or(automatic);
     constexpr double most_steps = 1e15;
     if (!(scene.time.end / step < most_steps)) {
-        throw InputError{scene.places.step + "time.end " + rounded(scene.time.end, 6) + " s takes " +
+        throw InputError{scene.places.end + rounded(scene.time.end, 6) + " s takes " +
                          rounded(scene.time.end / step, 6) + " steps of " + rounded(step, 6) +
                          " s, more than can be counted; use an earlier end"};
     }

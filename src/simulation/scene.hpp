@@ -75,10 +75,12 @@ struct Output {
 
 /// Where the input says what may turn out wrong only when the block is built: the beginnings of messages about it.
 struct Places {
+    std::string cells;
     std::string threshold;
     std::string initial;
     std::string supports;
     std::string step;
+    std::string end;
 };
 
 /// What an input means, in SI, with all defaults filled in. Made by read_scene and not changed afterwards.

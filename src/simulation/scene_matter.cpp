@@ -109,9 +109,9 @@ void check_range(const InputNode& node, const Network& network) {
                                               {"an edge viscosity", "N s/m", network.edge.viscosity, true},
                                               {"a diagonal viscosity", "N s/m", network.diagonal.viscosity, true}}};
     for (const auto& [name, unit, value, may_vanish] : quantities) {
-        if (!(value >= 1e-100 && value <= 1e100) && !(may_vanish && value == 0)) {
+        if (!(value >= 1e-60 && value <= 1e60) && !(may_vanish && value == 0)) {
             node.fail("makes " + std::string{name} + " of " + rounded(value, 3) + " " + unit +
-                      ", outside of 1e-100 to 1e100; check the units (SI) here and of block.edge");
+                      ", outside of 1e-60 to 1e60; check the units (SI) here and of block.edge");
         }
     }
 }

@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "io/number_text.hpp"
 #include "io/text_file.hpp"
 #include "simulation/calibration.hpp"
 #include "simulation/scene_keys.hpp"
@@ -89,7 +88,7 @@ Support read_support(const InputNode& node, std::size_t index) {
     const MaybeNode name = node.find("name");
     const InputNode where = node.at("where");
     where.expect_keys(keys_of("supports.*.where"));
-    Support support{name ? name->text() : "support " + std::to_string(index), read_box(where.at("box")), {}};
+    Support support{name ? line(*name, 60) : "support " + std::to_string(index), read_box(where.at("box")), {}};
     const InputNode velocity = node.at("velocity");
     const auto components = velocity.list(3);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -107,15 +106,16 @@ std::vector<Support> read_supports(const InputNode& root) {
     constexpr std::size_t most = 30'000;
     std::vector<Support> supports;
     const MaybeNode node = root.find("supports");
-    for (const InputNode& item : node ? node->list() : std::vector<InputNode>{}) {
+    const auto items = node ? node->list() : std::vector<InputNode>{};
+    if (items.size() > most) {
+        node->fail("has more than " + std::to_string(most) + " supports; join their boxes");
+    }
+    for (const InputNode& item : items) {
         Support support = read_support(item, supports.size());
         if (std::ranges::find(supports, support.name, &Support::name) != supports.end()) {
             item.fail("there is a support named '" + support.name + "' already; choose another name");
         }
         supports.push_back(std::move(support));
-    }
-    if (supports.size() > most) {
-        node->fail("has more than " + std::to_string(most) + " supports; join their boxes");
     }
     return supports;
 }
@@ -124,10 +124,7 @@ std::optional<double> read_step(const MaybeNode& node, double end) {
     if (!node || (node->is_scalar() && node->text() == "auto")) {
         return std::nullopt;
     }
-    if (!node->is_scalar() || !io::to_number(node->text())) {
-        node->fail("needs auto or a number above 0 s, not " + node->shown());
-    }
-    const double step = positive(*node, "s");
+    const double step = above_0(*node, "auto or a number above 0 s");
     if (!(end / step < 1e15)) {
         node->fail("makes " + io::exact(end / step) +
                    " steps to time.end, more than can be counted; use a larger step");
@@ -179,7 +176,8 @@ Places read_places(const InputNode& root) {
         const MaybeNode value = key.empty() ? node : find(node, key);
         return value ? value->place() : node ? node->place() : root.place();
     };
-    return {place("sensors", "threshold"), place("initial", ""), place("supports", ""), place("time", "step")};
+    return {place("block", "cells"), place("sensors", "threshold"), place("initial", ""),
+            place("supports", ""),   place("time", "step"),         place("time", "end")};
 }
 
 Scene scene_of(const InputNode& root) {
@@ -191,7 +189,7 @@ Scene scene_of(const InputNode& root) {
     const Block block = read_block(root.at("block"));
     const Matter matter = read_matter(root, block);
     Sensors sensors = read_sensors(root, matter.material, block.edge().x);
-    Scene scene{.title = title ? title->text() : "",
+    Scene scene{.title = title ? line(*title, 200) : "",
                 .block = block,
                 .material = matter.material,
                 .network = matter.network,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -46,18 +47,24 @@ inline constexpr std::string_view this_version = "cracksim 0.1";
     return node ? node->boolean() : otherwise;
 }
 
-[[nodiscard]] inline double positive(const io::InputNode& node, std::string_view unit) {
-    const double value = node.number();
+/// wanted: what a message says that is needed.
+[[nodiscard]] inline double above_0(const io::InputNode& node, const std::string& wanted) {
+    const double value = node.number(io::InputNode::Infinity::refused, wanted);
     if (!(value > 0)) {
-        node.fail("must be above 0" + (unit.empty() ? "" : " " + std::string{unit}) + ", not " + node.shown());
+        node.fail("needs " + wanted + ", not " + node.shown());
     }
     return value;
 }
 
+[[nodiscard]] inline double positive(const io::InputNode& node, std::string_view unit) {
+    return above_0(node, "a number above 0 " + std::string{unit});
+}
+
 [[nodiscard]] inline double not_negative(const io::InputNode& node, std::string_view unit) {
-    const double value = node.number();
+    const std::string wanted = "a number, 0 " + std::string{unit} + " or above";
+    const double value = node.number(io::InputNode::Infinity::refused, wanted);
     if (!(value >= 0)) {
-        node.fail("must be 0" + (unit.empty() ? "" : " " + std::string{unit}) + " or above, not " + node.shown());
+        node.fail("needs " + wanted + ", not " + node.shown());
     }
     return value;
 }
@@ -66,6 +73,15 @@ inline constexpr std::string_view this_version = "cracksim 0.1";
                                  io::InputNode::Infinity infinity = io::InputNode::Infinity::refused) {
     const auto items = node.list(3);
     return {items[0].number(infinity), items[1].number(infinity), items[2].number(infinity)};
+}
+
+/// A text that messages can show.
+[[nodiscard]] inline std::string line(const io::InputNode& node, std::size_t longest) {
+    std::string text = node.text();
+    if (text.size() > longest || std::ranges::any_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7f; })) {
+        node.fail("needs one line of at most " + std::to_string(longest) + " bytes, not " + node.shown());
+    }
+    return text;
 }
 
 /// One of the words that this version can do, where the format also knows `later`.

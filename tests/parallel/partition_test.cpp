@@ -19,6 +19,8 @@ const Communicator& world() {
 
 const std::vector<Partitioner> partitioners{partition_by_metis, partition_by_slabs, partition_at_random};
 
+TEST(Communicator, RanksOfOneMachineKnowEachOther) { EXPECT_EQ(world().ranks_on_this_machine(), world().size()); }
+
 TEST(Partitioners, GiveEveryEntityOneOwnerInRange) {
     for (const auto& cells : {std::array<std::int64_t, 3>{1, 1, 1}, {2, 1, 1}, {9, 7, 3}}) {
         const Block block{cells, {1, 1, 1}, {}};

@@ -133,16 +133,23 @@ TEST(Expression, DoesNotDependOnTheLocale) {
 }
 
 TEST(Expression, SaysWhatIsWrongAndWhatIsAllowed) {
-    EXPECT_EQ(error_of("foo(x)"), explained("foo(x)", "Unexpected token \"foo\" found at position 0."));
-    EXPECT_EQ(error_of("2*w"), explained("2*w", "Unexpected token \"w\" found at position 2."));
-    EXPECT_EQ(error_of("(x"), explained("(x", "Missing parenthesis"));
+    EXPECT_EQ(error_of("foo(x)"), explained("foo(x)", "'foo' at character 1 is not known"));
+    EXPECT_EQ(error_of("2*w"), explained("2*w", "'w' at character 3 is not known"));
+    EXPECT_EQ(error_of("(x"), explained("(x", "a bracket is not closed"));
     EXPECT_EQ(error_of("x=2"), explained("x=2", "'=' does not compare; write '=='"));
     EXPECT_EQ(error_of("x ? 1 = 2 : 3"), explained("x ? 1 = 2 : 3", "'=' does not compare; write '=='"));
     EXPECT_EQ(error_of("1,5"),
               explained("1,5", "a comma separates arguments of functions only; the decimal sign is a point"));
-    EXPECT_EQ(error_of("\"x\""), explained("\"x\"", "the character at position 0 has no meaning in an expression"));
+    EXPECT_EQ(error_of("\"x\""), explained("\"x\"", "'\"' at character 1 has no meaning in an expression"));
     EXPECT_EQ(error_of("x\xc2\xb2"),
-              explained("x\xc2\xb2", "the character at position 1 has no meaning in an expression"));
+              explained("x\xc2\xb2", "'\xc2\xb2' at character 2 has no meaning in an expression"));
+    EXPECT_EQ(error_of("x y"), explained("x y", "'y' at character 3 is out of place"));
+    EXPECT_EQ(error_of("2*"), explained("2*", "it ends too early"));
+    EXPECT_EQ(error_of("sin(x,y)"), explained("sin(x,y)", "a function has too many arguments at character 8"));
+    EXPECT_EQ(error_of("atan2(x)"), explained("atan2(x)", "a function has too few arguments at character 8"));
+    EXPECT_EQ(error_of("x ? 1"), explained("x ? 1", "'?' without ':'"));
+    EXPECT_EQ(error_of("x : 1"), explained("x : 1", "':' without '?'"));
+    EXPECT_EQ(error_of(""), explained("", "it is empty"));
     for (const char* text : {"", " ", "x y", "sin", "sin()", "sin(x,y)", "min()", "1e999", "inf", "nan", "0x10",
                              "x ? 1", "x)", "()", "2e", "_pi", "rnd", "sum(1,2)", "x > = 1"}) {
         EXPECT_NE(error_of(text), "no error") << text;
@@ -165,7 +172,7 @@ TEST(ReadExpression, ErrorsNameThePlace) {
         }
         return "no error";
     };
-    EXPECT_EQ(error("2*w"), "a.yaml:1:4: k: " + explained("2*w", "Unexpected token \"w\" found at position 2."));
+    EXPECT_EQ(error("2*w"), "a.yaml:1:4: k: " + explained("2*w", "'w' at character 3 is not known"));
     EXPECT_EQ(error("{a: 1}"),
               "a.yaml:1:1: k: needs a number or an expression, not a map; put an expression that holds ': ' in quotes");
 }

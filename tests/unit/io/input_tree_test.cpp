@@ -84,7 +84,7 @@ TEST(InputTree, KnowsAKeyAmongLookalikes) {
 TEST(InputTree, NamesTheMissingKey) {
     EXPECT_EQ(
         message([] { static_cast<void>(InputTree("x: 1\ntime:\n  step: 1\n", "a.yaml").root().at("time").at("end")); }),
-        "a.yaml:2:1: time: the key 'end' is missing");
+        "a.yaml:2:1: time: the key 'end' is missing; add it (inputs/README.md lists what it takes)");
 }
 
 TEST(InputTree, RefusesWhatIsNotOneYamlMap) {
@@ -124,12 +124,11 @@ TEST(InputTree, RefusesAnchorsTagsAndStrangeKeys) {
 }
 
 TEST(InputTree, RefusesWhatIsNotText) {
-    EXPECT_EQ(parsing(std::string{"a: \0 1", 6}),
-              "a.yaml:1:4: the byte 0x00 is not text; a scene is a YAML file in UTF-8");
-    EXPECT_EQ(parsing("a: 1\nb: \xff\n"), "a.yaml:2:4: the byte 0xFF is not text; a scene is a YAML file in UTF-8");
-    EXPECT_EQ(parsing("a: \xc3"), "a.yaml:1:4: the byte 0xC3 is not text; a scene is a YAML file in UTF-8");
-    EXPECT_EQ(parsing("\x89HDF\r\n\x1a\n"), "a.yaml:1:1: the byte 0x89 is not text; a scene is a YAML file in UTF-8");
-    EXPECT_EQ(parsing("a: 1\x04"), "a.yaml:1:5: the byte 0x04 is not text; a scene is a YAML file in UTF-8");
+    EXPECT_EQ(parsing(std::string{"a: \0 1", 6}), "a.yaml:1:4: the byte 0x00 is not text; a scene is YAML in UTF-8");
+    EXPECT_EQ(parsing("a: 1\nb: \xff\n"), "a.yaml:2:4: the byte 0xFF is not text; a scene is YAML in UTF-8");
+    EXPECT_EQ(parsing("a: \xc3"), "a.yaml:1:4: the byte 0xC3 is not text; a scene is YAML in UTF-8");
+    EXPECT_EQ(parsing("\x89HDF\r\n\x1a\n"), "a.yaml:1:1: the byte 0x89 is not text; a scene is YAML in UTF-8");
+    EXPECT_EQ(parsing("a: 1\x04"), "a.yaml:1:5: the byte 0x04 is not text; a scene is YAML in UTF-8");
     EXPECT_EQ(parsing("a: \xc3\xa9t\xc3\xa9"), "no error");
     EXPECT_EQ(parsing(std::string(5'000'000, '#')),
               "a.yaml: has more than 4 MiB; a scene is a short text: is this the right file?");
@@ -164,9 +163,11 @@ TEST(InputTree, SaysWhereYamlIsBroken) {
         "; check brackets, colons and indentation here and just before, and put expressions in quotes";
     EXPECT_EQ(parsing("a: x > 0 ? 1 : 2\n"), "a.yaml:1:14: not valid YAML: illegal map value" + hint);
     EXPECT_EQ(parsing("a: 1\n b: 2\n"), "a.yaml:2:3: not valid YAML: illegal map value" + hint);
-    EXPECT_EQ(parsing("a: \"x\nb: 1\n"), "a.yaml:2:5: not valid YAML: illegal EOF in scalar" + hint);
-    EXPECT_EQ(parsing("a: [1, 2\nb: 3\n"), "a.yaml:1:4: a bracket opens here and is not closed");
-    EXPECT_EQ(parsing("a: {b: 1\n"), "a.yaml:1:4: a bracket opens here and is not closed");
+    EXPECT_EQ(parsing("a: \"x\nb: 1\n"), "a.yaml:2:5: the text ends inside a quote; close it where it should end");
+    EXPECT_EQ(parsing("a: [1, 2\nb: 3\n"),
+              "a.yaml:1:4: the bracket that opens here is not closed, or an expression in it needs quotes");
+    EXPECT_EQ(parsing("a: {b: 1\n"),
+              "a.yaml:1:4: the bracket that opens here is not closed, or an expression in it needs quotes");
 }
 
 TEST(InputNode, ReadsNumbersExactly) {
@@ -191,12 +192,17 @@ TEST(InputNode, ReadsNumbersInAnyLocale) {
 
 TEST(InputNode, RefusesWhatIsNotANumber) {
     const auto get = [](const InputNode& node) { static_cast<void>(node.number()); };
-    for (const char* text : {"abc", "1,5", "1e999", "0x10", "1_000", "inf", "nan", ".nan", "--1", "+-1", "1 m", "2*3",
-                             "1.5.2", "e5", "."}) {
+    for (const char* text :
+         {"abc", "0x10", "1_000", "inf", "nan", ".nan", "--1", "+-1", "1 m", "2*3", "1.5.2", "e5", "."}) {
         EXPECT_EQ(getting(text, get), "a.yaml:2:6: b.k: needs a number, not '" + std::string{text} + "'");
     }
-    EXPECT_EQ(getting(".inf", get), "a.yaml:2:6: b.k: must be finite, not '.inf'");
-    EXPECT_EQ(getting("", get), "a.yaml:2:3: b.k: needs a number, not null");
+    EXPECT_EQ(getting(".inf", get), "a.yaml:2:6: b.k: needs a number, not '.inf'; it must be finite");
+    EXPECT_EQ(getting("1,5", get), "a.yaml:2:6: b.k: needs a number, not '1,5'; the decimal sign is a point");
+    for (const char* text : {"1e999", "-1e999", "+1e-999", "1e-310", "-4.9e-324"}) {
+        EXPECT_EQ(getting(text, get), "a.yaml:2:6: b.k: needs a number, not '" + std::string{text} +
+                                          "'; numbers reach from 2.3e-308 to 1.7e308");
+    }
+    EXPECT_EQ(getting("", get), "a.yaml:2:3: b.k: needs a number, not an empty value");
     EXPECT_EQ(getting("[1]", get), "a.yaml:2:3: b.k: needs a number, not a list");
     EXPECT_EQ(getting("{x: 1}", get), "a.yaml:2:3: b.k: needs a number, not a map");
 }
@@ -233,7 +239,7 @@ TEST(InputNode, ReadsWordsBooleansAndLists) {
     EXPECT_EQ(getting("[min(x,1), 0, 0]", three),
               "a.yaml:2:3: b.k: needs a list of 3 values, not of 4; put an expression that holds commas in quotes");
     EXPECT_EQ(getting("5", three), "a.yaml:2:6: b.k: needs a list of 3 values, not '5'");
-    EXPECT_EQ(getting("null", text), "a.yaml:2:3: b.k: needs a text, not null");
+    EXPECT_EQ(getting("null", text), "a.yaml:2:3: b.k: needs a text, not an empty value");
     EXPECT_EQ(getting("\"null\"", text), "no error");
 }
 
@@ -270,10 +276,12 @@ TEST(InputTree, ErrorsInSettingsNameTheSetting) {
 }
 
 TEST(InputTree, RefusesSettingsThatCannotBeApplied) {
-    const std::string form = ": needs the form key.path=value, such as time.end=0.5";
-    EXPECT_EQ(setting("a: 1", "b"), "--set b" + form);
-    EXPECT_EQ(setting("a: 1", "=1"), "--set =1" + form);
-    EXPECT_EQ(setting("a: 1", "a..b=1"), "--set a..b=1" + form);
+    const std::string form = "--set: needs the form key.path=value, such as time.end=0.5, not ";
+    EXPECT_EQ(setting("a: 1", "b"), form + "'b'");
+    EXPECT_EQ(setting("a: 1", "=1"), form + "'=1'");
+    EXPECT_EQ(setting("a: 1", "a..b=1"), form + "'a..b=1'");
+    EXPECT_EQ(setting("a: 1", std::string(100, '\x91')), form + "'" + std::string(60, '?') + "...'");
+    EXPECT_EQ(setting("a: 1", "a=\xff"), "--set a: the byte 0xFF is not text; a scene is YAML in UTF-8");
     EXPECT_EQ(setting("a: 1", "a.b=1"),
               "--set a.b: there is no 'b' to set in the plain value '1'; set the whole value");
     EXPECT_EQ(setting("a: [1, 2]", "a.3=1"),

@@ -66,15 +66,27 @@ TEST(CommandLine, ExplainsWhatIsWrong) {
     EXPECT_EQ(error_of({"a.yaml", "b.yaml"}),
               "b.yaml: there is one INPUT.yaml a run; to change a value use --set key.path=value");
     EXPECT_EQ(error_of({"a.yaml", "--progress", "lively"}), "--progress: does not know 'lively'; did you mean 'live'?");
-    EXPECT_EQ(error_of({"a.yaml", "--out", ""}), "--out: needs the name of a directory");
-    EXPECT_NE(error_of({"a.yaml", "--set"}).find("--set"), std::string::npos);
-    EXPECT_NE(error_of({"a.yaml", "--quiet=maybe"}).find("--quiet"), std::string::npos);
+    EXPECT_EQ(error_of({"a.yaml", "--quiet=maybe"}), "--quiet=maybe: takes no value; write --quiet");
+}
+
+TEST(CommandLine, OptionsDoNotTakeTheNextOptionForTheirValue) {
+    const std::string needs = "--out: needs the name of a directory after it";
+    const std::string hint = "; one whose name begins with - is written ./-name";
+    EXPECT_EQ(error_of({"a.yaml", "--out", ""}), needs + hint);
+    EXPECT_EQ(error_of({"a.yaml", "--out"}), needs + hint);
+    EXPECT_EQ(error_of({"--out=", "a.yaml"}), needs + hint);
+    EXPECT_EQ(error_of({"a.yaml", "--out", "--quiet"}), needs + ", not '--quiet'" + hint);
+    EXPECT_EQ(error_of({"a.yaml", "--set"}),
+              "--set: needs key.path=value after it; time.end=0.5 sets the end to 0.5 s");
+    EXPECT_EQ(error_of({"a.yaml", "--out", "a", "--out=b"}), "--out: is given twice; give one");
+    EXPECT_EQ(command({"a.yaml", "--out=-d"}).directory(), "-d");
+    EXPECT_EQ(command({"a.yaml", "--set", "title=--out"}).settings.front(), "title=--out");
 }
 
 TEST(CommandLine, NamesOptionsThatComeLater) {
-    EXPECT_EQ(error_of({"a.yaml", "--restart", "auto"}), "--restart: not available in cracksim 0.1");
-    EXPECT_EQ(error_of({"a.yaml", "--wall-time=60"}), "--wall-time: not available in cracksim 0.1");
-    EXPECT_EQ(error_of({"--petsc", "-ksp_type cg", "a.yaml"}), "--petsc: not available in cracksim 0.1");
+    EXPECT_EQ(error_of({"a.yaml", "--restart", "auto"}), "--restart: not available in cracksim 0.1; leave it out");
+    EXPECT_EQ(error_of({"a.yaml", "--wall-time=60"}), "--wall-time: not available in cracksim 0.1; leave it out");
+    EXPECT_EQ(error_of({"--petsc", "-ksp_type cg", "a.yaml"}), "--petsc: not available in cracksim 0.1; leave it out");
 }
 
 }  // namespace

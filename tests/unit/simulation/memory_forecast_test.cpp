@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/errors.hpp"
 #include "simulation/forecast.hpp"
 #include "simulation/scene_reader.hpp"
 
@@ -45,10 +46,18 @@ TEST(PeakBytes, GrowWithWhatOpensAndWithWhatIsDrawn) {
     EXPECT_GT(peak({"time.scheme=ab2"}, 1, 0), peak({}, 1, 0));
 }
 
+TEST(CheckMemory, RefusesWhatNoRankCanHoldEvenIfNothingBreaks) {
+    const Scene s = scene({});
+    Forecast forecast;
+    forecast.memory_per_rank = {3'000'000'000, 7'000'000'000};
+    EXPECT_NO_THROW(check_memory(s, forecast, {4, 2, 0, 3'000'000'000, std::nullopt}));
+    EXPECT_THROW(check_memory(s, forecast, {4, 2, 0, 2'999'999'999, std::nullopt}), InputError);
+}
+
 TEST(MemoryWarning, ComesWhenTheMachineHasLessThanItsRanksNeed) {
     Forecast forecast;
     forecast.memory_per_rank = {3'000'000'000, 7'000'000'000};
-    const Machine machine{4, 2, 0, std::nullopt};
+    const Machine machine{4, 2, 0, 8'000'000'000, std::nullopt};
     const auto with_room = [&](std::int64_t room) {
         Machine m = machine;
         m.room_per_rank = room;

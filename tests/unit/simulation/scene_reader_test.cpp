@@ -162,13 +162,12 @@ TEST(ReadScene, RefusesWrongValues) {
     const std::vector<Wrong> table{
         {{"block.cels=[1, 1, 1]"}, "--set block.cels: unknown key; did you mean 'cells'?"},
         {{"blok={}"}, "--set blok: unknown key; did you mean 'block'?"},
-        {{"block.cells=[1, 2]"},
-         "--set block.cells: needs a list of 3 values, not of 2; put an expression that holds commas in quotes"},
+        {{"block.cells=[1, 2]"}, "--set block.cells: needs a list of 3 values, not of 2"},
         {{"block.cells.1=0"}, "--set block.cells.1: needs an integer from 1 to 2000000000, not '0'"},
         {{"block.cells.1=2.5"}, "--set block.cells.1: needs an integer from 1 to 2000000000, not '2.5'"},
         {{"block.cells=[2000, 2000, 2000]"},
          "--set block.cells: makes more than 2000000000 entities, the most that a block may have; use fewer cells"},
-        {{"block.edge=0"}, "--set block.edge: must be above 0 m, not '0'"},
+        {{"block.edge=0"}, "--set block.edge: needs a number above 0 m, not '0'"},
         {{"block.edge=[1, -1, 1]"},
          "--set block.edge: every edge must be above 0 m and within 1e-60 to 1e60 m, not -1"},
         {{"block.edge=1e70"}, "--set block.edge: every edge must be above 0 m and within 1e-60 to 1e60 m, not 1e+70"},
@@ -182,13 +181,13 @@ TEST(ReadScene, RefusesWrongValues) {
         {{"block=5"}, "--set block: needs a map with keys of entity, cells, edge, origin, not '5'"},
         {{"material.poisson=0.3"},
          "--set material.poisson: must be 0.25, not '0.3': the network of interactions is isotropic only there"},
-        {{"material.young=-1"}, "--set material.young: must be above 0 Pa, not '-1'"},
-        {{"material.young=.inf"}, "--set material.young: must be finite, not '.inf'"},
-        {{"material.density=heavy"}, "--set material.density: needs a number, not 'heavy'"},
-        {{"material.damping=-0.1"}, "--set material.damping: must be 0 a/c0 or above, not '-0.1'"},
-        {{"material.fracture_energy=0"}, "--set material.fracture_energy: must be above 0 J/m2, not '0'"},
+        {{"material.young=-1"}, "--set material.young: needs a number above 0 Pa, not '-1'"},
+        {{"material.young=.inf"}, "--set material.young: needs a number above 0 Pa, not '.inf'; it must be finite"},
+        {{"material.density=heavy"}, "--set material.density: needs a number above 0 kg/m3, not 'heavy'"},
+        {{"material.damping=-0.1"}, "--set material.damping: needs a number, 0 a/c0 or above, not '-0.1'"},
+        {{"material.fracture_energy=0"}, "--set material.fracture_energy: needs a number above 0 J/m2, not '0'"},
         {{"material.density=1e300"},
-         "a.yaml:4:1: material: makes a mass of 1.25e+293 kg, outside of 1e-100 to 1e100; check the units (SI) here "
+         "a.yaml:4:1: material: makes a mass of 1.25e+293 kg, outside of 1e-60 to 1e60; check the units (SI) here "
          "and of block.edge"},
         {{"block.edge=[0.01, 0.01, 0.02]"},
          "a.yaml:4:1: material: needs cubes, but block.edge is 0.01 x 0.01 x 0.02 m: no 16 interactions make other "
@@ -205,26 +204,25 @@ TEST(ReadScene, RefusesWrongValues) {
         {{"sensors.threshold=0/0"},
          "--set sensors.threshold: a threshold is a stretch above 0 (.inf: never), not '0/0'"},
         {{"sensors.threshold=0.1*t"}, "--set sensors.threshold: may depend on x, y, z, but not on t: '0.1*t'"},
-        {{"sensors.weibull={seed: 1}"}, "--set sensors.weibull: the key 'shape' is missing"},
+        {{"sensors.weibull={seed: 1}"},
+         "--set sensors.weibull: the key 'shape' is missing; add it (inputs/README.md lists what it takes)"},
         {{"sensors.weibull={shape: 0}"},
          "--set sensors.weibull: sensors.weibull.shape: must be from 0.1 (wide scatter) to 1e6 (none), not '0'"},
         {{"sensors.weibull={shape: 5, seed: -1}"},
          "--set sensors.weibull: sensors.weibull.seed: needs an integer from 0 to 9223372036854775807, not '-1'"},
         {{"sensors.prefilter=no"}, "--set sensors.prefilter: needs true or false, not 'no'"},
-        {{"initial.velocity=[0, 0]"},
-         "--set initial.velocity: needs a list of 3 values, not of 2; put an expression that holds commas in quotes"},
+        {{"initial.velocity=[0, 0]"}, "--set initial.velocity: needs a list of 3 values, not of 2"},
         {{"initial.velocity=[0, t, 0]"},
          "--set initial.velocity: initial.velocity.1: may depend on x, y, z, but not on t: 't'"},
         {{"initial.displacement=[1/0, 0, 0]"},
          "--set initial.displacement: initial.displacement.0: must be finite, not '1/0'"},
         {{"initial.displacement=[null, 0, 0]"},
-         "--set initial.displacement: initial.displacement.0: needs a number or an expression, not null; put an "
-         "expression that holds ': ' "
-         "in quotes"},
+         "--set initial.displacement: initial.displacement.0: needs a number or an expression, not an empty value"},
         {{"supports=5"}, "--set supports: needs a list, not '5'"},
-        {{"supports=[{name: a, velocity: [0, 0, 0]}]"}, "--set supports: supports.0: the key 'where' is missing"},
+        {{"supports=[{name: a, velocity: [0, 0, 0]}]"},
+         "--set supports: supports.0: the key 'where' is missing; add it (inputs/README.md lists what it takes)"},
         {{"supports=[{where: {box: [[0, 0, 0], [1, 1, 1]]}}]"},
-         "--set supports: supports.0: the key 'velocity' is missing"},
+         "--set supports: supports.0: the key 'velocity' is missing; add it (inputs/README.md lists what it takes)"},
         {{"supports=[{where: {ball: 1}, velocity: [0, 0, 0]}]"},
          "--set supports: supports.0.where.ball: unknown key; known here are box"},
         {{"supports=[{where: {box: [[0, 2, 0], [1, 1, 1]]}, velocity: [0, 0, 0]}]"},
@@ -234,22 +232,24 @@ TEST(ReadScene, RefusesWrongValues) {
         {{"supports=[{where: {box: [[0, 0, 0], [1, 1, 1]]}, velocity: [null, null, null]}]"},
          "--set supports: supports.0.velocity: holds nothing: every component is null; give a velocity in m/s (0: at "
          "rest) for at least one"},
+        {{"supports=[{name: \"a\\nb\", where: {box: [[0, 0, 0], [1, 1, 1]]}, velocity: [0, 0, 0]}]"},
+         "--set supports: supports.0.name: needs one line of at most 60 bytes, not 'a b'"},
         {{"supports=[{name: a, where: {box: [[0, 0, 0], [1, 1, 1]]}, velocity: [0, 0, 0]}, {name: a, where: {box: [[0, "
           "0, 0], [1, 1, 1]]}, "
           "velocity: [0, 0, 0]}]"},
          "--set supports: supports.1: there is a support named 'a' already; choose another name"},
-        {{"time.end=0"}, "--set time.end: must be above 0 s, not '0'"},
+        {{"time.end=0"}, "--set time.end: needs a number above 0 s, not '0'"},
         {{"time.step=automatic"}, "--set time.step: needs auto or a number above 0 s, not 'automatic'"},
-        {{"time.step=-1"}, "--set time.step: must be above 0 s, not '-1'"},
+        {{"time.step=-1"}, "--set time.step: needs auto or a number above 0 s, not '-1'"},
         {{"time.step=1e-20"},
          "--set time.step: makes 1e+20 steps to time.end, more than can be counted; use a larger step"},
         {{"time.scheme=rk4"}, "--set time.scheme: not available in cracksim 0.1; 'rk4' comes later; take cordis"},
         {{"time.scheme=cordi"}, "--set time.scheme: does not know 'cordi'; did you mean 'cordis'?"},
         {{"time.allow_unstable=1"}, "--set time.allow_unstable: needs true or false, not '1'"},
-        {{"coat.rate=0"}, "--set coat.rate: must be above 0 Hz, not '0'"},
-        {{"output.rate=-1"}, "--set output.rate: must be 0 Hz or above, not '-1'"},
+        {{"coat.rate=0"}, "--set coat.rate: needs a number above 0 Hz, not '0'"},
+        {{"output.rate=-1"}, "--set output.rate: needs a number, 0 Hz or above, not '-1'"},
         {{"output.surfaces=true"}, "--set output.surfaces: unknown key; did you mean 'surface'?"},
-        {{"history.rate=x"}, "--set history.rate: needs a number, not 'x'"},
+        {{"history.rate=x"}, "--set history.rate: needs a number, 0 Hz or above, not 'x'"},
         {{"partition.kind=scotch"}, "--set partition.kind: does not know 'scotch'; take one of metis, slab, random"},
         {{"checkpoint.every=600"},
          "--set checkpoint.every: checkpoint: not available in cracksim 0.1; runs cannot be saved and restarted yet: "
@@ -264,9 +264,10 @@ TEST(ReadScene, RefusesWrongValues) {
 TEST(ReadScene, ErrorsInTheFileNameLineAndColumn) {
     EXPECT_EQ(error_of(replaced(minimal, "cells", "cels")),
               "a.yaml:2:3: block.cels: unknown key; did you mean 'cells'?");
-    EXPECT_EQ(error_of(replaced(minimal, "0.01", "thin")), "a.yaml:3:9: block.edge: needs a number, not 'thin'");
+    EXPECT_EQ(error_of(replaced(minimal, "0.01", "thin")),
+              "a.yaml:3:9: block.edge: needs a number above 0 m, not 'thin'");
     EXPECT_EQ(error_of(replaced(minimal, "1000", "-5")),
-              "a.yaml:4:35: material.density: must be above 0 kg/m3, not '-5'");
+              "a.yaml:4:35: material.density: needs a number above 0 kg/m3, not '-5'");
     EXPECT_EQ(error_of(replaced(minimal, "end: 1.0", "stop: 1.0")),
               "a.yaml:6:8: time.stop: unknown key; did you mean 'step'?");
     EXPECT_EQ(error_of(minimal + "checkpoint: {every: 600}\n"),
@@ -275,10 +276,14 @@ TEST(ReadScene, ErrorsInTheFileNameLineAndColumn) {
 }
 
 TEST(ReadScene, NamesWhatIsMissing) {
-    EXPECT_EQ(error_of(replaced(minimal, "time: {end: 1.0}\n", "")), "a.yaml:1:1: the key 'time' is missing");
-    EXPECT_EQ(error_of(replaced(minimal, "end: 1.0", "step: 1.0")), "a.yaml:6:1: time: the key 'end' is missing");
-    EXPECT_EQ(error_of(replaced(minimal, "  cells: [3, 4, 5]\n", "")), "a.yaml:1:1: block: the key 'cells' is missing");
-    EXPECT_EQ(error_of(replaced(minimal, "  edge: 0.01\n", "")), "a.yaml:1:1: block: the key 'edge' is missing");
+    EXPECT_EQ(error_of(replaced(minimal, "time: {end: 1.0}\n", "")),
+              "a.yaml:1:1: the key 'time' is missing; add it (inputs/README.md lists what it takes)");
+    EXPECT_EQ(error_of(replaced(minimal, "end: 1.0", "step: 1.0")),
+              "a.yaml:6:1: time: the key 'end' is missing; add it (inputs/README.md lists what it takes)");
+    EXPECT_EQ(error_of(replaced(minimal, "  cells: [3, 4, 5]\n", "")),
+              "a.yaml:1:1: block: the key 'cells' is missing; add it (inputs/README.md lists what it takes)");
+    EXPECT_EQ(error_of(replaced(minimal, "  edge: 0.01\n", "")),
+              "a.yaml:1:1: block: the key 'edge' is missing; add it (inputs/README.md lists what it takes)");
     EXPECT_EQ(error_of(replaced(minimal, "material: {young: 2.0e4, density: 1000}\n", "")),
               "a.yaml:1:1: neither material nor network is given; add `material: {young: ..., density: ...}`");
     const std::string nothing =
@@ -296,14 +301,15 @@ TEST(ReadScene, RefusesWrongNetworks) {
         return error_of(replaced(with_network, what, by));
     };
     EXPECT_EQ(error_of(with_network), "no error");
-    EXPECT_EQ(error("mass: 1", "mass: 0"), "a.yaml:4:17: network.mass: must be above 0 kg, not '0'");
-    EXPECT_EQ(error("mass: 1, ", ""), "a.yaml:4:1: network: the key 'mass' is missing");
+    EXPECT_EQ(error("mass: 1", "mass: 0"), "a.yaml:4:17: network.mass: needs a number above 0 kg, not '0'");
+    EXPECT_EQ(error("mass: 1, ", ""),
+              "a.yaml:4:1: network: the key 'mass' is missing; add it (inputs/README.md lists what it takes)");
     EXPECT_EQ(error("stiffness: 4", "stiffness: 0"),
-              "a.yaml:4:38: network.edge.stiffness: must be above 0 N/m, not '0'");
+              "a.yaml:4:38: network.edge.stiffness: needs a number above 0 N/m, not '0'");
     EXPECT_EQ(error("stiffness: 6", "stiffness: -6"),
-              "a.yaml:4:78: network.diagonal.stiffness: must be 0 N/m or above, not '-6'");
+              "a.yaml:4:78: network.diagonal.stiffness: needs a number, 0 N/m or above, not '-6'");
     EXPECT_EQ(error("viscosity: 0", "viscosity: -1"),
-              "a.yaml:4:52: network.edge.viscosity: must be 0 N s/m or above, not '-1'");
+              "a.yaml:4:52: network.edge.viscosity: needs a number, 0 N s/m or above, not '-1'");
     EXPECT_EQ(error("viscosity", "viscousity"),
               "a.yaml:4:41: network.edge.viscousity: unknown key; did you mean 'viscosity'?");
 }

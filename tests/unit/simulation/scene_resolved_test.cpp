@@ -8,7 +8,7 @@ namespace cracksim::simulation {
 namespace {
 
 const std::string by_material =
-    "title: \"quotes \\\" and \\\\, a line\\nand a bell \\a\"\n"
+    "title: \"quotes \\\" and \\\\\"\n"
     "block: {cells: [3, 4, 5], edge: 0.1, origin: [0.1, -1e-7, 3]}\n"
     "material: {young: 2.1e11, density: 7850, damping: 0.3, fracture_energy: 100}\n"
     "time: {end: 0.3333333333333333}\n";
@@ -16,7 +16,7 @@ const std::string by_material =
 const std::string by_network =
     "block: {cells: [3, 4, 5], edge: [0.1, 0.2, 0.30000000000000004]}\n"
     "network: {mass: 0.1, edge: {stiffness: 1.1, viscosity: 1e-5}, diagonal: {stiffness: 0, viscosity: 0}}\n"
-    "sensors: {threshold: \"x > 0.2 ? 0.1 : .05\", weibull: {shape: 8.5, seed: 9223372036854775807}, prefilter: "
+    "sensors: {threshold: \"x > 0.2\\n ? 0.1 : .05\", weibull: {shape: 8.5, seed: 9223372036854775807}, prefilter: "
     "false}\n"
     "initial: {displacement: [0, 1e-3*x, 2*pi], velocity: [\"max(x, y)\", 0, 0.1]}\n"
     "supports:\n"

@@ -1,0 +1,21 @@
+#include <cstdio>
+#include <iostream>
+#include <string>
+
+#include "core/errors.hpp"
+#include "simulation/scene_reader.hpp"
+
+/// Reads scenes from standard input, each ended by a NUL byte, and says for each, on a line, what the reader has against it:
+/// nothing if it is a scene.
+int main() {
+    using namespace cracksim;
+    for (std::string scene; std::getline(std::cin, scene, '\0');) {
+        try {
+            static_cast<void>(simulation::read_scene(scene, "scene.yaml", {}));
+            std::puts("");
+        } catch (const InputError& error) {
+            std::puts(error.what());
+        }
+    }
+    return 0;
+}
