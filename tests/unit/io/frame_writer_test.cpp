@@ -167,7 +167,7 @@ TEST_P(FrameWriting, FailedWriteThrowsOnAllRanksAndLeavesTheSeriesAsItWas) {
 
 TEST_P(FrameWriting, SizesOfFramesAndIndexesAreKnownBeforehand) {
     constexpr std::int64_t frames = 5;
-    constexpr std::int64_t cells = 300;
+    constexpr std::int64_t cells = 20000;
     FrameRecord record;
     for (std::int64_t n = 0; n < frames; ++n) {
         record = surface_.write(strip_mesh(world(), cells, 0), n, 0.5);
