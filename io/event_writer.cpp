@@ -78,8 +78,7 @@ std::int64_t bytes(std::size_t events, const SplitParts& parts) {
 
 std::vector<DupletEvent> sorted(std::vector<DupletEvent> events) {
     std::ranges::sort(events);
-    const auto repeated = std::ranges::unique(events);
-    events.erase(repeated.begin(), repeated.end());
+    events.erase(std::unique(events.begin(), events.end()), events.end());
     return events;
 }
 

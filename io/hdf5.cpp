@@ -104,8 +104,8 @@ std::int64_t File::rows(const std::string& name) const {
     const Dataset dataset = open_dataset(name);
     const Dataspace space{checked(H5Dget_space(dataset.get()), operation)};
     Sizes sizes{};
-    const int found = checked(H5Sget_simple_extent_ndims(space.get()), operation);
-    CRACKSIM_ASSERT(found == 1 || found == 2);
+    [[maybe_unused]] const int dimensions = checked(H5Sget_simple_extent_ndims(space.get()), operation);
+    CRACKSIM_ASSERT(dimensions == 1 || dimensions == 2);
     checked(H5Sget_simple_extent_dims(space.get(), sizes.data(), nullptr), operation);
     return static_cast<std::int64_t>(sizes[0]);
 }

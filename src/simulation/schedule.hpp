@@ -10,6 +10,8 @@ namespace cracksim::simulation {
 /// A function of the step alone, so it is the same on every rank and after a restart.
 class Schedule {
 public:
+    static constexpr std::int64_t never = std::int64_t{1} << 60;
+
     /// rate in Hz, step_size in s.
     Schedule(double rate, double step_size) : per_step_{rate * step_size} {}
 
@@ -25,9 +27,12 @@ public:
         return 1 + (per_step_ >= 1 ? last : static_cast<std::int64_t>(ticks(last)));
     }
 
-    /// The first due step after this one. Requires a rate above 0.
+    /// The first due step after this one; `never` where no run gets so far. Requires a rate above 0.
     [[nodiscard]] std::int64_t next_due(std::int64_t step) const {
         const double tick = ticks(step) + 1;
+        if (tick / per_step_ > static_cast<double>(never)) {
+            return never;
+        }
         std::int64_t next = std::max(step + 1, static_cast<std::int64_t>(tick / per_step_) - 1);
         while (ticks(next) < tick) {
             ++next;

@@ -26,8 +26,10 @@ template <int... I>
             darts.insert(dart);
         }
     };
-    for (std::size_t i = 0; i < darts.size(); ++i) {
-        const Dart dart = darts[i];
+    // The orbit grows while it is walked.
+    std::size_t next = 0;
+    while (next < darts.size()) {
+        const Dart dart = darts[next++];
         (visit(map.alpha(I, dart)), ...);
     }
     return darts;

@@ -44,5 +44,10 @@ TEST(Schedule, CountsAndFindsTheStepsThatAreDue) {
     }
 }
 
+TEST(Schedule, IsNeverDueAgainWhereNoRunGetsSoFar) {
+    EXPECT_EQ(Schedule(1e-20, 1e-3).next_due(0), Schedule::never);
+    EXPECT_EQ(Schedule(1e-300, 1e-3).due_until(1'000'000'000), 1);
+}
+
 }  // namespace
 }  // namespace cracksim::simulation
