@@ -1,70 +1,117 @@
 #!/usr/bin/env pvpython
-"""A picture of one frame of a run: the original boundary in grey, crack faces by the time at which they opened.
+"""A picture of one frame of a run, or a movie of all.
 
-xvfb-run -a pvpython jobs/render.py DIR [--series surface|crack] [--frame last|N] [--out picture.png] [--size 1600x900]
+  xvfb-run -a pvpython jobs/render.py DIR --out picture.png
+  xvfb-run -a pvpython jobs/render.py DIR --view topology --frame 12 --out map.png
+  xvfb-run -a pvpython jobs/render.py DIR --out movie.mp4
+
+geometry: the free faces, the original boundary grey and crack faces red, the later they opened the lighter.
+crack:    crack faces alone.
+masses:   a sphere on each mass, coloured by fragment.
+topology: the faces inside the block, shrunk, sewn ones blue and unsewn ones orange.
 """
 import argparse
 import json
 import pathlib
+import shutil
+import subprocess
 import sys
+import tempfile
 
-from paraview.simple import (CreateRenderView, GetColorTransferFunction, Render, SaveScreenshot, Show, Threshold,
-                             VTKHDFReader, _DisableFirstRenderCameraReset)
-from paraview.servermanager import Fetch
-from vtkmodules.util.numpy_support import vtk_to_numpy
 import numpy
+from paraview.servermanager import Fetch
+from paraview.simple import (Calculator, CreateRenderView, Delete, GetColorTransferFunction, Render, SaveScreenshot, Show,
+                             Threshold, VTKHDFReader, _DisableFirstRenderCameraReset)
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
+SERIES = {"geometry": "surface", "crack": "crack", "masses": "masses", "topology": "topology"}
 BOUNDARY = [0.80, 0.76, 0.70]
 CRACK_EARLY, CRACK_LATE = [0.45, 0.03, 0.03], [0.90, 0.35, 0.12]
-FROM = numpy.array([-0.45, -1.0, 0.95])  # where the camera stands, seen from the block's centre
+SEWN, UNSEWN = [0.30, 0.50, 0.75], [0.95, 0.50, 0.10]
+MOVIES = {".mp4": ["-c:v", "libx264", "-pix_fmt", "yuv420p"], ".webm": ["-c:v", "libvpx-vp9"], ".gif": []}
+
+
+def fail(text):
+    sys.exit(f"render.py: {text}")
 
 
 def arguments():
-    parser = argparse.ArgumentParser(prog="render.py", description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(prog="render.py", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("directory", type=pathlib.Path, help="a directory that cracksim wrote")
-    parser.add_argument("--series", choices=["surface", "crack"], default="surface")
+    parser.add_argument("--view", choices=SERIES, default="geometry")
     parser.add_argument("--frame", default="last", help="last, or the number of a frame, from 0")
-    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("picture.png"))
-    parser.add_argument("--size", default="1600x900", help="in pixels")
-    return parser.parse_args()
+    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("picture.png"),
+                        help="a picture (.png), or a movie of all frames (.mp4, .webm, .gif)")
+    parser.add_argument("--size", type=size, default="1600x900", help="in pixels, even numbers")
+    parser.add_argument("--from", dest="viewpoint", type=direction, default="-0.45,-1,0.95",
+                        help="the direction in which the camera stands, such as=-0.45,-1,0.95")
+    parser.add_argument("--fps", type=float, default=25, help="frames a second of a movie")
+    options = parser.parse_args()
+    if options.out.suffix not in [".png", *MOVIES]:
+        parser.error(f"--out {options.out}: name a .png, .mp4, .webm or .gif")
+    if options.out.suffix in MOVIES and not shutil.which("ffmpeg"):
+        parser.error(f"--out {options.out}: movies need ffmpeg (Debian package ffmpeg)")
+    return options
 
 
-def frame_file(directory, series, frame):
+def size(text):
+    width, height = (int(side) for side in text.split("x"))
+    if width <= 0 or height <= 0 or width % 2 or height % 2:
+        raise ValueError(text)
+    return width, height
+
+
+def direction(text):
+    x, y, z = (float(part) for part in text.split(","))
+    if x == 0 and y == 0:
+        raise ValueError(text)
+    return numpy.array([x, y, z])
+
+
+def frame_files(directory, view):
+    series = SERIES[view]
     index = directory / f"{series}.hdf.series"
     if not index.is_file():
-        sys.exit(f"render.py: {directory} is not a run's directory with {series} frames: it has no {index.name}")
-    files = json.loads(index.read_text(encoding="utf-8"))["files"]
+        advice = "run with --set output." + series + "=true" if directory.is_dir() else "there is no such directory"
+        fail(f"{directory} has no {series} frames for the view {view}: {advice}")
+    return [directory / entry["name"] for entry in json.loads(index.read_text(encoding="utf-8"))["files"]]
+
+
+def chosen(files, frame):
     if frame != "last" and not (frame.isdigit() and int(frame) < len(files)):
-        sys.exit(f"render.py: --frame {frame}: give 'last' or a number from 0 to {len(files) - 1}")
-    return directory / files[-1 if frame == "last" else int(frame)]["name"]
+        fail(f"--frame {frame}: give 'last' or a number from 0 to {len(files) - 1}")
+    return files[-1 if frame == "last" else int(frame)]
 
 
-def bounds(mesh):
-    """Of nearly all points: a lone fragment that flies away does not make the block small."""
-    points = vtk_to_numpy(mesh.GetPoints().GetData())
-    low, high = numpy.quantile(points, [0.002, 0.998], axis=0)
-    return low, high
+def points_of(file):
+    source = VTKHDFReader(FileName=[str(file)])
+    points = vtk_to_numpy(Fetch(source).GetPoints().GetData())
+    Delete(source)
+    return points
 
 
-def place_camera(view, low, high):
-    view.CameraViewUp = [0, 0, 1]
-    view.CameraFocalPoint = ((low + high) / 2).tolist()
-    view.CameraPosition = ((low + high) / 2 + FROM).tolist()
-    # ResetCamera frames the sphere around the box, which leaves much room around a flat block: look at its corners.
-    corners = numpy.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])])
-    towards = -FROM / numpy.linalg.norm(FROM)
+def place_camera(view, points, viewpoint):
+    """Nearly all points are in the picture: a lone fragment that flies away does not make the block small."""
+    towards = -viewpoint / numpy.linalg.norm(viewpoint)
     right = numpy.cross(towards, [0, 0, 1])
     right /= numpy.linalg.norm(right)
-    up = numpy.cross(right, towards)
-    offsets = corners - (low + high) / 2
+    axes = numpy.array([right, numpy.cross(right, towards), towards])
+    projected = points @ axes.T
+    low, high = numpy.quantile(projected, [0.002, 0.998], axis=0)
+    focus = (low + high) / 2
+    inside = numpy.all((projected >= low) & (projected <= high), axis=1)
+    offsets = abs(projected[inside] - focus) * [1, 1, 0] + (projected[inside] - focus) * [0, 0, 1]
     tangent = numpy.tan(numpy.radians(view.CameraViewAngle / 2))
     aspect = view.ViewSize[0] / view.ViewSize[1]
-    needed = [max(abs(o @ up), abs(o @ right) / aspect) / tangent - o @ towards for o in offsets]
-    view.CameraPosition = ((low + high) / 2 - towards * max(needed) * 1.08).tolist()
+    distance = (numpy.maximum(offsets[:, 0] / aspect, offsets[:, 1]) / tangent - offsets[:, 2]).max()
+    view.CameraViewUp = [0, 0, 1]
+    view.CameraFocalPoint = (focus @ axes).tolist()
+    view.CameraPosition = (focus @ axes - towards * distance * 1.05).tolist()
 
 
-def show_faces(view, faces, colour):
-    display = Show(faces, view)
+def shown(view, source, colour):
+    display = Show(source, view)
     display.SetRepresentationType("Surface")
     display.ColorArrayName = [None, ""]
     display.DiffuseColor = display.AmbientColor = colour
@@ -72,38 +119,113 @@ def show_faces(view, faces, colour):
     return display
 
 
+def colour_by(display, view, array, colours):
+    table = GetColorTransferFunction(array[1])
+    table.RGBPoints = colours
+    display.ColorArrayName = array
+    display.LookupTable = table
+    display.SetScalarBarVisibility(view, False)
+
+
+def cells_where(source, array, lower, upper):
+    return Threshold(Input=source, Scalars=["CELLS", array], ThresholdMethod="Between", LowerThreshold=lower,
+                     UpperThreshold=upper)
+
+
+def draw_faces(view, source, latest):
+    """Free faces; the colours of cracks run up to the time `latest` in all frames of a movie alike."""
+    boundary = cells_where(source, "opened_at", -2, -0.5)
+    cracks = cells_where(source, "opened_at", -0.5, 1e300)
+    shown(view, boundary, BOUNDARY)
+    display = shown(view, cracks, CRACK_EARLY)
+    if latest > 0:
+        colour_by(display, view, ["CELLS", "opened_at"], [0, *CRACK_EARLY, latest, *CRACK_LATE])
+    return [boundary, cracks]
+
+
+def draw_masses(view, source, radius):
+    """Neighbouring ids get colours far apart: the fraction of id times the golden section."""
+    mixed = Calculator(Input=source, AttributeType="Point Data", ResultArrayName="colour",
+                       Function="fragment*0.6180339887 - floor(fragment*0.6180339887)")
+    display = shown(view, mixed, BOUNDARY)
+    display.SetRepresentationType("Point Gaussian")
+    display.ShaderPreset = "Sphere"
+    display.GaussianRadius = radius
+    colour_by(display, view, ["POINTS", "colour"],
+              [0, .55, .65, .80, .2, .85, .60, .35, .4, .55, .75, .50, .6, .80, .50, .60, .8, .90, .80, .50, 1, .55, .50, .75])
+    return [mixed]
+
+
+def draw_map(view, source):
+    unsewn = cells_where(source, "opened_at", -0.5, 1e300)
+    sewn = cells_where(source, "sewn", 0.5, 1.5)
+    shown(view, sewn, SEWN)
+    shown(view, unsewn, UNSEWN)
+    return [sewn, unsewn]
+
+
+def last_opening(file):
+    source = VTKHDFReader(FileName=[str(file)])
+    opened = vtk_to_numpy(Fetch(source).GetCellData().GetArray("opened_at"))
+    Delete(source)
+    return opened.max(initial=0)
+
+
+def mass_radius(directory):
+    """A third of the distance of masses at rest, as far as the scene tells it."""
+    for line in (directory / "input.resolved.yaml").read_text(encoding="utf-8").splitlines():
+        if line.strip().startswith("edge: "):
+            return min(float(side) for side in line.split(":")[1].strip(" []").split(",")) / 3
+    return 0.0
+
+
+def draw(options, view, file, latest):
+    source = VTKHDFReader(FileName=[str(file)])
+    if options.view == "masses":
+        return [source, *draw_masses(view, source, mass_radius(options.directory))]
+    if options.view == "topology":
+        return [source, *draw_map(view, source)]
+    return [source, *draw_faces(view, source, latest)]
+
+
+def picture(options, view, file, latest, out):
+    sources = draw(options, view, file, latest)
+    Render(view)
+    SaveScreenshot(str(out), view, ImageResolution=list(options.size))
+    for source in reversed(sources):
+        Delete(source)
+
+
+def movie(options, view, files, latest):
+    with tempfile.TemporaryDirectory() as folder:
+        for number, file in enumerate(files):
+            picture(options, view, file, latest, f"{folder}/{number:06d}.png")
+        command = ["ffmpeg", "-y", "-loglevel", "error", "-framerate", str(options.fps), "-i", f"{folder}/%06d.png",
+                   *MOVIES[options.out.suffix], str(options.out)]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        fail(f"ffmpeg could not make {options.out}: {done.stderr.strip()}")
+
+
 def main():
     options = arguments()
-    try:
-        size = [int(side) for side in options.size.split("x")]
-        width, height = size
-    except ValueError:
-        sys.exit(f"render.py: --size {options.size}: give width and height in pixels, as in 1600x900")
-    source = VTKHDFReader(FileName=[str(frame_file(options.directory, options.series, options.frame))])
-    mesh = Fetch(source)
+    files = frame_files(options.directory, options.view)
     _DisableFirstRenderCameraReset()
     view = CreateRenderView()
-    view.ViewSize = [width, height]
+    view.ViewSize = list(options.size)
     view.UseColorPaletteForBackground = 0
     view.Background = [1, 1, 1]
     view.OrientationAxesVisibility = 0
-
-    opened = vtk_to_numpy(mesh.GetCellData().GetArray("opened_at"))
-    for part, colour in (("Below Lower Threshold", BOUNDARY), ("Above Upper Threshold", CRACK_EARLY)):
-        faces = Threshold(Input=source, Scalars=["CELLS", "opened_at"], ThresholdMethod=part, LowerThreshold=-0.5,
-                          UpperThreshold=-0.5)
-        display = show_faces(view, faces, colour)
-        cracks = opened[opened >= 0]
-        if colour is CRACK_EARLY and cracks.size and cracks.max() > cracks.min():
-            colours = GetColorTransferFunction("opened_at")
-            colours.RGBPoints = [cracks.min(), *CRACK_EARLY, cracks.max(), *CRACK_LATE]
-            display.ColorArrayName = ["CELLS", "opened_at"]
-            display.LookupTable = colours
-            display.SetScalarBarVisibility(view, False)
-    place_camera(view, *bounds(mesh))
-    Render(view)
-    SaveScreenshot(str(options.out), view, ImageResolution=[width, height])
-    print(f"{options.out}: {mesh.GetNumberOfCells()} faces, {int((opened >= 0).sum())} of them of cracks")
+    latest = last_opening(files[-1]) if options.view in ("geometry", "crack") else 0
+    if options.out.suffix == ".png":
+        files = [chosen(files, options.frame)]
+    ends = [files[0], files[-1]] if len(files) > 1 else files
+    place_camera(view, numpy.concatenate([points_of(file) for file in ends]), options.viewpoint)
+    if options.out.suffix == ".png":
+        picture(options, view, files[0], latest, options.out)
+    else:
+        movie(options, view, files, latest)
+    print(f"{options.out}: {len(files)} frame(s) of {options.directory}")
 
 
 if __name__ == "__main__":

@@ -43,16 +43,17 @@ bool Support::holds(Vec3 p) const {
 }
 
 Network::Network(const Block& block, const EntityModel& model, IdArray<LocalEntity, EntityId> entities,
-                 IdArray<LocalEntity, std::uint8_t> owned, const Thresholds& thresholds, std::vector<Support> supports)
+                 IdArray<LocalEntity, std::uint8_t> owned, Duplets duplets, const Thresholds& thresholds,
+                 std::vector<Support> supports)
     : block_{block},
       model_{model},
       entities_{std::move(entities)},
       owned_{std::move(owned)},
-      supports_{std::move(supports)},
-      advanced_(entities_.size() * Hexahedron::corners, 0) {
+      supports_{std::move(supports)} {
     CRACKSIM_EXPECT(std::ranges::is_sorted(entities_.span()) && owned_.size() == entities_.size());
     find_unions();
     find_interfaces();
+    find_duplets(duplets);
     set_thresholds(thresholds);
 }
 
@@ -68,7 +69,6 @@ void Network::find_unions() {
         const auto last = std::find_if(first, corners.end(), [&](const auto& c) { return c.first != first->first; });
         const bool touched = std::any_of(first, last, [&](const auto& c) { return owned(entity_of(c.second)); });
         for (auto c = first; c != last; ++c) {
-            advanced_[c->second.index()] = touched ? 1 : 0;
             (touched ? union_masses_ : received_).push_back(c->second);
         }
         if (touched) {
@@ -101,20 +101,74 @@ void Network::find_interfaces() {
     }
 }
 
+std::optional<Tie> Network::tie_over(LocalMass m, int face) const {
+    const LocalEntity e = entity_of(m);
+    const std::int32_t index = interface_at(e, face);
+    if (index < 0) {
+        return std::nullopt;
+    }
+    const Interface& shared = interfaces_[static_cast<std::size_t>(index)];
+    const bool at_a = shared.a == e;
+    const int k = at_a ? shared.duplet_at_a(corner_of(m)) : shared.duplet_at_b(corner_of(m));
+    if (k < 0) {
+        return std::nullopt;
+    }
+    return Tie{LocalDuplet{index * duplets_per_interface + k},
+               at_a ? local_mass(shared.b, shared.corner_b(k)) : local_mass(shared.a, shared.corner_a(k))};
+}
+
+void Network::find_duplets(Duplets duplets) {
+    touched_duplets_.assign(interfaces_.size(), 0);
+    for (std::size_t u = 0; u < union_count(); ++u) {
+        if (duplets == Duplets::tree) {
+            add_tree(union_masses(u));
+            continue;
+        }
+        for (const LocalMass m : union_masses(u)) {
+            for (int face = 0; face < Hexahedron::faces; ++face) {
+                if (const auto tie = tie_over(m, face)) {
+                    add_duplet(tie->duplet);
+                }
+            }
+        }
+    }
+}
+
+void Network::add_duplet(LocalDuplet duplet) {
+    auto& places = touched_duplets_[duplet.index() / duplets_per_interface];
+    places = static_cast<std::uint8_t>(places | (1U << duplet.index() % duplets_per_interface));
+}
+
+void Network::add_tree(std::span<const LocalMass> masses) {
+    std::vector<LocalMass> reached{masses.front()};
+    for (std::size_t next = 0; next < reached.size(); ++next) {
+        std::vector<Tie> ties;
+        for (int face = 0; face < Hexahedron::faces; ++face) {
+            const auto tie = tie_over(reached[next], face);
+            if (tie && std::ranges::find(reached, tie->mass) == reached.end()) {
+                ties.push_back(*tie);
+            }
+        }
+        std::ranges::sort(ties, {}, &Tie::mass);
+        for (const Tie& tie : ties) {
+            add_duplet(tie.duplet);
+            reached.push_back(tie.mass);
+        }
+    }
+}
+
 void Network::set_thresholds(const Thresholds& thresholds) {
     threshold_.assign(interfaces_.size() * duplets_per_interface, std::numeric_limits<double>::quiet_NaN());
-    touched_duplets_.assign(interfaces_.size(), 0);
     for (std::size_t i = 0; i < interfaces_.size(); ++i) {
         for (int k = 0; k < duplets_per_interface; ++k) {
-            const LocalMass a = local_mass(interfaces_[i].a, interfaces_[i].corner_a(k));
-            const LocalMass b = local_mass(interfaces_[i].b, interfaces_[i].corner_b(k));
-            if (advanced_[a.index()] == 0) {
+            if ((static_cast<unsigned>(touched_duplets_[i]) >> static_cast<unsigned>(k) & 1U) == 0) {
                 continue;
             }
+            const LocalMass a = local_mass(interfaces_[i].a, interfaces_[i].corner_a(k));
+            const LocalMass b = local_mass(interfaces_[i].b, interfaces_[i].corner_b(k));
             const Vec3 at = rest_position(a);
             const double value = thresholds.of(mass(a), mass(b), at);
             threshold_[i * duplets_per_interface + static_cast<std::size_t>(k)] = value;
-            touched_duplets_[i] = static_cast<std::uint8_t>(touched_duplets_[i] | (1U << static_cast<unsigned>(k)));
             if (!(value > 0) && !invalid_threshold_) {
                 invalid_threshold_ = "the threshold at x = " + rounded(at.x, 6) + ", y = " + rounded(at.y, 6) +
                                      ", z = " + rounded(at.z, 6) + " m is " +
@@ -128,7 +182,7 @@ std::size_t Network::memory_bytes() const {
     return entities_.bytes() + owned_.bytes() + interfaces_.capacity() * sizeof(Interface) +
            interface_of_face_.capacity() * sizeof(std::int32_t) + threshold_.capacity() * sizeof(double) +
            touched_duplets_.capacity() + union_begin_.capacity() * sizeof(std::size_t) +
-           (union_masses_.capacity() + received_.capacity()) * sizeof(LocalMass) + advanced_.capacity();
+           (union_masses_.capacity() + received_.capacity()) * sizeof(LocalMass);
 }
 
 }  // namespace cracksim::physics

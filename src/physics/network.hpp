@@ -16,6 +16,9 @@
 
 namespace cracksim::physics {
 
+/// A duplet on this rank: 4 * interface + k.
+using LocalDuplet = Id<struct LocalDupletTag, std::int32_t>;
+
 /// Two entities that share a face. Duplet k ties the masses at corner k of a's face and at the corner it meets on b's.
 /// a is the smaller entity.
 struct Interface {
@@ -41,8 +44,20 @@ struct Support {
     [[nodiscard]] bool holds(Vec3 rest_position) const;
 };
 
+/// Which duplets tie the masses that meet at a vertex.
+enum class Duplets : std::uint8_t {
+    corners,  ///< one at each corner of each shared face
+    tree  ///< of these the fewest that hold the masses together: a tree of each union, breadth first by ascending id
+};
+
+/// A duplet and the mass at its other end.
+struct Tie {
+    LocalDuplet duplet;
+    LocalMass mass;
+};
+
 /// The problem on this rank, unchanged during a run: entities, duplets and their thresholds, starting unions, supports.
-/// Starting unions are those of the `corners` duplets: the masses that meet at a vertex.
+/// Starting unions are the masses that meet at a vertex, with either kind of duplets.
 class Network {
 public:
     static constexpr int duplets_per_interface = Hexahedron::face_corners;
@@ -50,7 +65,8 @@ public:
     /// entities: local ones, ascending; owned: 1 where this rank is the owner. Errors found in thresholds are kept for
     /// the caller to agree on with the other ranks: see invalid_threshold().
     Network(const Block& block, const EntityModel& model, IdArray<LocalEntity, EntityId> entities,
-            IdArray<LocalEntity, std::uint8_t> owned, const Thresholds& thresholds, std::vector<Support> supports);
+            IdArray<LocalEntity, std::uint8_t> owned, Duplets duplets, const Thresholds& thresholds,
+            std::vector<Support> supports);
 
     [[nodiscard]] const Block& block() const { return block_; }
     [[nodiscard]] const EntityModel& model() const { return model_; }
@@ -68,11 +84,14 @@ public:
     [[nodiscard]] std::int32_t interface_at(LocalEntity e, int face) const {
         return interface_of_face_[e.index() * Hexahedron::faces + static_cast<std::size_t>(face)];
     }
-    /// Threshold, a stretch, of duplet k of an interface; the duplets of unions that are not touched have none (NaN).
+    /// The mass that meets this one over a face, and the duplet that would tie them; none where there is no interface or
+    /// the mass is not on the face.
+    [[nodiscard]] std::optional<Tie> tie_over(LocalMass m, int face) const;
+    /// Threshold, a stretch, of duplet k of an interface; NaN where there is none, or its union is not touched.
     [[nodiscard]] double threshold(std::int32_t interface, int k) const {
         return threshold_[static_cast<std::size_t>(interface) * duplets_per_interface + static_cast<std::size_t>(k)];
     }
-    /// Bit k is set where duplet k of an interface ties masses of a touched union.
+    /// Bit k is set where duplet k of an interface exists and ties masses of a touched union.
     [[nodiscard]] std::uint8_t touched_duplets(std::int32_t interface) const {
         return touched_duplets_[static_cast<std::size_t>(interface)];
     }
@@ -94,6 +113,9 @@ public:
 private:
     void find_unions();
     void find_interfaces();
+    void find_duplets(Duplets duplets);
+    void add_duplet(LocalDuplet duplet);
+    void add_tree(std::span<const LocalMass> masses);
     void set_thresholds(const Thresholds& thresholds);
 
     Block block_;
@@ -108,7 +130,6 @@ private:
     std::vector<std::size_t> union_begin_;
     std::vector<LocalMass> union_masses_;
     std::vector<LocalMass> received_;
-    std::vector<std::uint8_t> advanced_;  ///< by local mass
     std::optional<std::string> invalid_threshold_;
 };
 

@@ -8,9 +8,6 @@
 
 namespace cracksim::physics {
 
-/// A duplet on this rank: 4 * interface + k.
-using LocalDuplet = Id<struct LocalDupletTag, std::int32_t>;
-
 enum class Prefilter { on, off };
 
 /// The duplets whose `normal` sensor triggers at the current state, ascending, each once. The sensor of a duplet A|B measures

@@ -22,17 +22,8 @@ void inactivate(const Network& network, LocalDuplet duplet, State& state) {
 
 /// The mass that an active duplet over a face ties to this one; none: the default id.
 LocalMass tied_over(const Network& network, const Sensing& sensing, LocalMass m, int face) {
-    const LocalEntity e = entity_of(m);
-    const std::int32_t index = network.interface_at(e, face);
-    if (index < 0) {
-        return {};
-    }
-    const Interface& shared = network.interfaces()[static_cast<std::size_t>(index)];
-    const int k = shared.a == e ? shared.duplet_at_a(corner_of(m)) : shared.duplet_at_b(corner_of(m));
-    if (k < 0 || !sensing.is_active(index, k)) {
-        return {};
-    }
-    return shared.a == e ? local_mass(shared.b, shared.corner_b(k)) : local_mass(shared.a, shared.corner_a(k));
+    const auto tie = network.tie_over(m, face);
+    return tie && sensing.is_active(interface_of(tie->duplet), place_of(tie->duplet)) ? tie->mass : LocalMass{};
 }
 
 /// The connected components of a union's masses under active duplets; each ascends, and they ascend by first mass.

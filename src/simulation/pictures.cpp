@@ -77,7 +77,8 @@ geometry::Mesh topology_mesh(const partition::Communicator& comm, const Dynamics
     for (LocalEntity e{0}; e.value() < dynamics.network().entity_count(); ++e) {
         for (int face = 0; dynamics.network().owned(e) && face < Hexahedron::faces; ++face) {
             const std::int64_t key = global_entity(dynamics, e) * Hexahedron::faces + face;
-            CellRecord cell{key, {}, {global_entity(dynamics, e), coat.map().is_sewn(e, face) ? 1 : 0}, {}};
+            CellRecord cell{
+                key, {}, {global_entity(dynamics, e), coat.map().is_sewn(e, face) ? 1 : 0}, {coat.opened_at(e, face)}};
             const auto drawn = geometry::shrunk_face(geometry::embed(topology::corners_of(e, face), evolution),
                                                      geometry::entity_centre(e, evolution), shrinking);
             for (std::size_t k = 0; k < drawn.size(); ++k) {
@@ -92,7 +93,7 @@ geometry::Mesh topology_mesh(const partition::Communicator& comm, const Dynamics
                             std::int64_t{Hexahedron::faces} * Hexahedron::face_corners,
                             Hexahedron::faces,
                             {"entity", "sewn"},
-                            {}};
+                            {"opened_at"}};
     return assemble(comm, layout, points, cells);
 }
 

@@ -117,8 +117,8 @@ void check_size(const partition::Communicator& comm, const partition::Decomposit
 
 physics::Network build_network(const partition::Communicator& comm, const Scene& scene,
                                const partition::Decomposition& decomposition) {
-    physics::Network network{scene.block,         entity_model(scene), decomposition.entities,
-                             decomposition.owned, thresholds(scene),   supports(scene)};
+    physics::Network network{scene.block,   entity_model(scene), decomposition.entities, decomposition.owned,
+                             scene.duplets, thresholds(scene),   supports(scene)};
     if (const auto text = comm.first(finding(network, initial_fields(scene), scene.places))) {
         throw InputError{*text};
     }

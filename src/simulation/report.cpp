@@ -48,15 +48,18 @@ io::Provenance provenance(const Simulation& simulation) {
     return p;
 }
 
+std::int64_t duplet_count(const Scene& scene) {
+    const Block& block = scene.block;
+    return scene.duplets == physics::Duplets::tree
+               ? block.mass_count() - block.vertex_count()
+               : block.interior_face_count() * physics::Network::duplets_per_interface;
+}
+
 io::Summary::Counts counts(const Scene& scene) {
     const Block& block = scene.block;
     constexpr std::int64_t darts_per_face = 2 * Hexahedron::face_corners;
-    return {block.entity_count(),
-            block.mass_count(),
-            block.entity_count() * physics::HexahedronPairs::count,
-            block.interior_face_count() * physics::Network::duplets_per_interface,
-            block.vertex_count(),
-            block.entity_count() * Hexahedron::faces * darts_per_face,
+    return {block.entity_count(),       block.mass_count(),   block.entity_count() * physics::HexahedronPairs::count,
+            duplet_count(scene),        block.vertex_count(), block.entity_count() * Hexahedron::faces * darts_per_face,
             block.interior_face_count()};
 }
 

@@ -8,6 +8,7 @@
 #include "core/block.hpp"
 #include "core/vec3.hpp"
 #include "io/expression.hpp"
+#include "physics/network.hpp"
 #include "physics/stability.hpp"
 #include "physics/thresholds.hpp"
 
@@ -33,7 +34,6 @@ struct Network {
     Interaction diagonal;
 };
 
-enum class Duplets { corners };
 enum class SensorKind { normal };
 enum class PartitionKind { metis, slab, random };
 
@@ -89,7 +89,7 @@ struct Scene {
     Block block;
     std::optional<Material> material;  ///< where `network` comes from, if the input gives a material
     Network network;
-    Duplets duplets;
+    physics::Duplets duplets;
     Sensors sensors;
     Initial initial;
     std::vector<Support> supports;

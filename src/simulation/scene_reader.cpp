@@ -163,11 +163,11 @@ PartitionKind read_partition(const InputNode& root) {
     return kind ? enumerator(*kind, kinds) : PartitionKind::metis;
 }
 
-Duplets read_duplets(const InputNode& root) {
-    constexpr std::array<std::pair<std::string_view, Duplets>, 1> kinds{{{"corners", Duplets::corners}}};
-    constexpr std::array<std::string_view, 1> later{"tree"};
+physics::Duplets read_duplets(const InputNode& root) {
+    constexpr std::array<std::pair<std::string_view, physics::Duplets>, 2> kinds{
+        {{"corners", physics::Duplets::corners}, {"tree", physics::Duplets::tree}}};
     const MaybeNode node = root.find("duplets");
-    return node ? enumerator(*node, kinds, later) : Duplets::corners;
+    return node ? enumerator(*node, kinds) : physics::Duplets::corners;
 }
 
 Places read_places(const InputNode& root) {

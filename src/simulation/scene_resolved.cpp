@@ -120,7 +120,8 @@ std::string name_of(PartitionKind kind) {
 }  // namespace
 
 std::string resolved(const Scene& scene) {
-    return "title: " + yaml(scene.title) + "\n" + block_text(scene.block) + matter_text(scene) + "duplets: corners\n" +
+    return "title: " + yaml(scene.title) + "\n" + block_text(scene.block) + matter_text(scene) +
+           "duplets: " + (scene.duplets == physics::Duplets::tree ? "tree" : "corners") + "\n" +
            sensors_text(scene.sensors) + "initial:\n  displacement: " + yaml(scene.initial.displacement) +
            "\n  velocity: " + yaml(scene.initial.velocity) + "\n" + supports_text(scene.supports) +
            time_text(scene.time) + "coat: {rate: " + yaml(scene.coat_rate) + "}\n" + output_text(scene.output) +

@@ -106,7 +106,7 @@ FORM = [
         ":3:68: network.diagonal: needs a map with keys of stiffness, viscosity, not '6'"),
     Row("negative viscosity", MATERIAL, NETWORK.replace("0.1", "-0.1"),
         ":3:52: network.edge.viscosity: needs a number, 0 N s/m or above, not '-0.1'"),
-    Row("unknown duplets", "corners", "edges", ":4:10: duplets: does not know 'edges'; take corners"),
+    Row("unknown duplets", "corners", "edges", ":4:10: duplets: does not know 'edges'; take one of corners, tree"),
     Row("sensor that comes later", "kind: normal", "kind: wide",
         ":5:17: sensors.kind: not available in cracksim 0.1; 'wide' comes later; take normal"),
     Row("no threshold", "threshold: 0.02, ", "",

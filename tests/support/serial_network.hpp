@@ -17,6 +17,7 @@ struct SerialBlock {
     double corner_mass{0.125};
     physics::Elasticity edges{0.2, 0.04};
     physics::Elasticity diagonals{0.3, 0.06};
+    physics::Duplets duplets{physics::Duplets::corners};
     physics::Thresholds thresholds{[](Vec3) { return 0.02; }, std::nullopt};
     std::vector<physics::Support> supports{};
 
@@ -32,6 +33,7 @@ struct SerialBlock {
                 model(),
                 IdArray<LocalEntity, EntityId>{std::move(ids)},
                 IdArray<LocalEntity, std::uint8_t>(count, 1),
+                duplets,
                 thresholds,
                 supports};
     }

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# The hashes of the large scenes on 1, 2, 3, 4 and 7 ranks, METIS and slab, with and without --audit, in both builds.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+# shellcheck source=jobs/environment.sh
+source jobs/environment.sh
+export OMPI_MCA_mpi_yield_when_idle=1
+export ASAN_OPTIONS=fast_unwind_on_malloc=0
+export LSAN_OPTIONS=suppressions=$PWD/tests/support/lsan.supp:print_suppressions=0
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+declare -A expected
+failed=0
+
+# compare SCENE BINARY RANKS OPTIONS...
+compare() {
+    local scene=$1 binary=$2 ranks=$3 found outcome=equal
+    shift 3
+    mpirun -n "$ranks" "$binary" "inputs/$scene.yaml" --out "$work/run" --quiet --set output.surface=false \
+        --set output.crack=false --set output.masses=false --set output.topology=false "$@"
+    found=$(python3 -c 'import json, sys; s = json.load(open(sys.argv[1])); print(s["event_hash"], s["state_hash"], s["events"]["splits"], "splits")' "$work/run/summary.json")
+    expected[$scene]=${expected[$scene]:-$found}
+    [[ $found == "${expected[$scene]}" ]] || { outcome=DIFFERENT; failed=1; }
+    echo "$scene $outcome: $found  $ranks ranks, $binary, $*"
+}
+
+for ranks in 1 2 3 4 7; do
+    for kind in metis slab; do
+        compare block build/release/cracksim "$ranks" --set "partition.kind=$kind"
+        compare block build/release/cracksim "$ranks" --set "partition.kind=$kind" --audit
+    done
+    for scene in block_b tear; do
+        compare "$scene" build/release/cracksim "$ranks"
+    done
+done
+for scene in block_b tear; do
+    compare "$scene" build/release/cracksim 3 --set partition.kind=slab --audit
+    compare "$scene" build/release/cracksim 2 --set sensors.prefilter=false
+done
+compare block build/sanitize/cracksim 2
+exit "$failed"
