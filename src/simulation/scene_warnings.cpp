@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <optional>
 #include <sstream>
 
 #include "simulation/scene_values.hpp"
@@ -58,7 +59,8 @@ bool has_masses_between(const Block& block, int axis, double lower, double upper
     return false;
 }
 
-void warn_of_empty_support(const Scene& scene, const Support& support, std::vector<std::string>& warnings) {
+/// Why no mass rests in a support's box; nothing if that cannot be told.
+std::optional<std::string> emptiness(const Scene& scene, const Support& support) {
     for (int axis = 0; axis < 3; ++axis) {
         if (!has_masses_between(scene.block, axis, support.box[0][axis], support.box[1][axis])) {
             const double origin = scene.block.origin()[axis];
@@ -69,9 +71,24 @@ void warn_of_empty_support(const Scene& scene, const Support& support, std::vect
             text << std::setprecision(3) << "supports: '" << support.name << "' holds nothing: masses rest at " << name
                  << " = " << origin << " to " << end << " m, every " << edge << " m, its box reaches from " << name
                  << " = " << support.box[0][axis] << " to " << support.box[1][axis] << " m";
-            warnings.push_back(text.str());
-            return;
+            return text.str();
         }
+    }
+    return std::nullopt;
+}
+
+void warn_of_empty_supports(const Scene& scene, std::vector<std::string>& warnings) {
+    constexpr int told = 3;
+    int empty = 0;
+    for (const Support& support : scene.supports) {
+        const auto why = emptiness(scene, support);
+        empty += why ? 1 : 0;
+        if (why && empty <= told) {
+            warnings.push_back(*why);
+        }
+    }
+    if (empty > told) {
+        warnings.push_back("supports: " + std::to_string(empty - told) + " more of them hold nothing");
     }
 }
 
@@ -83,9 +100,7 @@ std::vector<std::string> find_warnings(const Scene& scene) {
     if (scene.material && scene.material->fracture_energy) {
         warn_of_fracture(scene, warnings);
     }
-    for (const Support& support : scene.supports) {
-        warn_of_empty_support(scene, support, warnings);
-    }
+    warn_of_empty_supports(scene, warnings);
     return warnings;
 }
 

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/errors.hpp"
+#include "core/text.hpp"
 #include "physics/energies.hpp"
 
 namespace cracksim::simulation {
@@ -120,7 +121,7 @@ void Simulation::check_motion(Observer& observer) {
     // What happened until here is told; the state itself is not shown.
     bring_coat_up_to_date(observer);
     throw InvalidRun{"the run became invalid at step " + std::to_string(step) +
-                         " (t = " + std::to_string(static_cast<double>(step) * certified_.step) + " s): mass " +
+                         " (t = " + rounded(static_cast<double>(step) * certified_.step, 6) + " s): mass " +
                          std::to_string(mass) + " " + cause_of(certified_, finite),
                      step, MassId{mass}};
 }

@@ -67,5 +67,16 @@ TEST(SceneWarnings, TellOfASupportThatHoldsNothing) {
                     "z = 3 to 4 m"});
 }
 
+TEST(SceneWarnings, TellOfThreeEmptySupportsAndCountTheRest) {
+    std::string all = "supports=[";
+    for (int i = 0; i < 5; ++i) {
+        all += "{where: {box: [[7, 7, 7], [8, 8, 8]]}, velocity: [0, 0, 0]}, ";
+    }
+    const Lines lines = warnings({all + "]"});
+    ASSERT_EQ(lines.size(), 4U);
+    EXPECT_TRUE(lines[2].starts_with("supports: 'support 2' holds nothing: "));
+    EXPECT_EQ(lines[3], "supports: 2 more of them hold nothing");
+}
+
 }  // namespace
 }  // namespace cracksim::simulation
