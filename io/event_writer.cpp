@@ -71,7 +71,7 @@ void append_parts(hdf5::File& file, const SplitParts& parts, double dt) {
 
 // Twice the data: the last chunk of each dataset may have to be made, and the index of chunks grows.
 std::int64_t bytes(std::size_t events, const SplitParts& parts) {
-    constexpr std::size_t chunks = std::size_t{10} * 4096 * 8;
+    constexpr std::size_t chunks = std::size_t{10} * hdf5::chunk_rows * 8;
     const std::size_t data = 32 * events + 40 * parts.size() + 8 * parts.masses.size();
     return static_cast<std::int64_t>(chunks + 2 * data);
 }
@@ -91,6 +91,19 @@ SplitParts gather(const partition::Communicator& comm, const SplitParts& parts) 
 }
 
 }  // namespace
+
+// Rows come in chunks, chunks in nodes of an index. What an empty file and a node take is measured with HDF5 1.10.
+std::int64_t event_file_bytes(std::int64_t events, std::int64_t parts, std::int64_t masses) {
+    const auto dataset = [](std::int64_t rows) {
+        constexpr std::int64_t node = 2096;
+        constexpr std::int64_t chunks_of_node = 56;
+        const std::int64_t chunks = (rows + hdf5::chunk_rows - 1) / hdf5::chunk_rows;
+        const std::int64_t nodes = chunks == 0 ? 0 : 1 + chunks / chunks_of_node;
+        return chunks * hdf5::chunk_rows * 8 + nodes * node;
+    };
+    constexpr std::int64_t empty_file = 5912;
+    return empty_file + 4 * dataset(events) + 5 * dataset(parts) + dataset(masses);
+}
 
 EventWriter::EventWriter(const partition::Communicator& comm, std::filesystem::path file, double dt)
     : comm_{&comm}, file_{std::move(file)}, dt_{dt} {}

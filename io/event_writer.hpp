@@ -9,6 +9,9 @@
 
 namespace cracksim::io {
 
+/// Size of events.hdf with so many events, and parts that hold so many masses together, bytes.
+[[nodiscard]] std::int64_t event_file_bytes(std::int64_t events, std::int64_t parts, std::int64_t masses);
+
 /// Writes events.hdf: /events/{step,time,mass_a,mass_b}, one row an inactivated duplet, and /splits/{step,time,union,first,count},
 /// one row a part that a split left: `union` is the smallest mass id of the union before the split, and the part's masses are
 /// /splits/masses[first, first + count). Ids are global, int64; times are step * dt, s.

@@ -82,4 +82,15 @@ std::string series_text(std::span<const IndexedFrame> frames) {
     return series.dump(1) + "\n";
 }
 
+std::int64_t index_bytes(const std::string& name, const IndexedFrame& like, std::int64_t frames) {
+    if (frames == 0) {
+        return 0;
+    }
+    const auto bytes = [&](std::size_t count) {
+        const std::vector<IndexedFrame> some(count, like);
+        return static_cast<std::int64_t>(xdmf_text(name, some).size() + series_text(some).size());
+    };
+    return bytes(1) + (frames - 1) * (bytes(2) - bytes(1));
+}
+
 }  // namespace cracksim::io

@@ -35,4 +35,7 @@ struct IndexedFrame {
 /// ParaView's file series: file and time of each frame.
 [[nodiscard]] std::string series_text(std::span<const IndexedFrame> frames);
 
+/// Size of both texts together for a number of frames like this one, bytes.
+[[nodiscard]] std::int64_t index_bytes(const std::string& name, const IndexedFrame& like, std::int64_t frames);
+
 }  // namespace cracksim::io

@@ -11,8 +11,6 @@ namespace {
 
 using Sizes = std::array<hsize_t, 2>;
 
-constexpr hsize_t chunk_rows = 4096;
-
 int dimensions(RowType type) { return type.columns == 1 ? 1 : 2; }
 
 hsize_t size_of(std::int64_t rows) { return static_cast<hsize_t>(rows); }
@@ -87,7 +85,7 @@ void File::create_extendible_dataset(const std::string& name, RowType type) {
     const std::string operation = "make the dataset " + name + " in";
     const Sizes sizes{0, type.columns};
     const Sizes limits{H5S_UNLIMITED, type.columns};
-    const Sizes chunk{chunk_rows, type.columns};
+    const Sizes chunk{size_of(chunk_rows), type.columns};
     const Dataspace space{checked(H5Screate_simple(dimensions(type), sizes.data(), limits.data()), operation)};
     const PropertyList creation{checked(H5Pcreate(H5P_DATASET_CREATE), operation)};
     checked(H5Pset_chunk(creation.get(), dimensions(type), chunk.data()), operation);

@@ -44,6 +44,9 @@ template <>
 }
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(MassId) == sizeof(std::int64_t));
 
+/// Rows by which an extendible dataset grows.
+constexpr std::int64_t chunk_rows = 4096;
+
 enum class Access { create, modify, read };
 
 /// An open HDF5 file; groups and datasets are named by their full path. Every failure is a FileError that names the file and the

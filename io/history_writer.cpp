@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cinttypes>
+#include <string_view>
 
 #include "io/agreement.hpp"
 #include "io/file_error.hpp"
@@ -22,6 +23,12 @@ int print(std::FILE* stream, const HistoryRow& row) {
 }
 
 }  // namespace
+
+// A number that is not 0 takes about 20 characters; a typical row has a time, three energies and six counts.
+std::int64_t history_bytes(std::int64_t rows) {
+    constexpr std::int64_t typical_row = 110;
+    return static_cast<std::int64_t>(std::string_view{header}.size()) + rows * typical_row;
+}
 
 HistoryWriter::HistoryWriter(const partition::Communicator& comm, std::filesystem::path file)
     : comm_{&comm}, file_{std::move(file)} {

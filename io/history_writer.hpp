@@ -24,6 +24,9 @@ struct HistoryRow {
     double crack_area;
 };
 
+/// About the size of history.csv with so many rows, bytes; numbers differ in length.
+[[nodiscard]] std::int64_t history_bytes(std::int64_t rows);
+
 /// Writes history.csv, a line at a time: after each call the line is in the file.
 class HistoryWriter {
 public:

@@ -6,30 +6,46 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 namespace cracksim::io {
 
-// VmHWM first: what getrusage gives is inherited from the program that started this one, and may be larger than all of ours.
-std::int64_t peak_resident_bytes() {
-    constexpr std::int64_t kilobyte = 1024;
-    std::ifstream status{"/proc/self/status"};
-    for (std::string line; std::getline(status, line);) {
-        if (line.starts_with("VmHWM:")) {
+namespace {
+
+constexpr std::int64_t kilobyte = 1024;
+
+/// The value of a line such as "VmHWM:  1234 kB" in a file of /proc.
+std::optional<std::int64_t> bytes_in(const char* file, std::string_view name) {
+    std::ifstream lines{file};
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with(name)) {
             std::int64_t kilobytes = 0;
-            std::istringstream{line.substr(6)} >> kilobytes;
+            std::istringstream{line.substr(name.size())} >> kilobytes;
             return kilobytes * kilobyte;
         }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+// VmHWM first: what getrusage gives is inherited from the program that started this one, and may be larger than all of ours.
+std::int64_t peak_resident_bytes() {
+    if (const auto peak = bytes_in("/proc/self/status", "VmHWM:")) {
+        return *peak;
     }
     struct rusage usage {};
     getrusage(RUSAGE_SELF, &usage);
     return usage.ru_maxrss * kilobyte;
 }
 
-std::int64_t machine_bytes() {
+std::optional<std::int64_t> available_bytes() { return bytes_in("/proc/meminfo", "MemAvailable:"); }
+
+std::int64_t share_of_memory(std::int64_t processes) {
     const std::int64_t all = std::int64_t{sysconf(_SC_PHYS_PAGES)} * sysconf(_SC_PAGESIZE);
     struct rlimit limit {};
-    const bool limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur < static_cast<rlim_t>(all);
-    return limited ? static_cast<std::int64_t>(limit.rlim_cur) : all;
+    const bool limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur < static_cast<rlim_t>(all / processes);
+    return limited ? static_cast<std::int64_t>(limit.rlim_cur) : all / processes;
 }
 
 }  // namespace cracksim::io

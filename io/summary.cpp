@@ -78,6 +78,12 @@ Json json(const Summary::Exchange& e) {
     return {{"bytes_per_step", e.bytes_per_step}, {"neighbours_max", e.neighbours_max}};
 }
 
+Json json(const Summary::Forecast& f) {
+    return {{"memory_intact", f.memory_intact},         {"memory_broken", f.memory_broken},
+            {"exchange_per_step", f.exchange_per_step}, {"output_intact", f.output_intact},
+            {"output_broken", f.output_broken},         {"output_per_interface", f.output_per_interface}};
+}
+
 Json json(const FrameRecord& f) {
     return {{"file", f.file}, {"step", f.step}, {"time", f.time}, {"faces", f.faces}, {"points", f.points}};
 }
@@ -116,6 +122,7 @@ void add_costs(Json& out, const Summary& s) {
     out["times_real_time"] = s.times_real_time;
     out["memory"] = json(s.memory);
     out["exchange"] = json(s.exchange);
+    out["forecast"] = json(s.forecast);
 }
 
 }  // namespace
@@ -135,6 +142,12 @@ std::string summary_text(const Summary& summary) {
     add_costs(out, summary);
     out["frames"] = json_by_name(summary.frames);
     return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::int64_t summary_bytes(std::int64_t frames) {
+    constexpr std::int64_t without_frames = 2500;
+    constexpr std::int64_t typical_frame = 170;
+    return without_frames + frames * typical_frame;
 }
 
 void write_summary(const std::filesystem::path& file, const Summary& summary) {

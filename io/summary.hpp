@@ -55,6 +55,13 @@ struct Summary {
         double bytes_per_step{0};
         std::int64_t neighbours_max{0};
     };
+    /// What was forecast before the first step, bytes: intact if nothing breaks, broken if all of it breaks in the first step.
+    struct Forecast {
+        std::int64_t memory_intact{0}, memory_broken{0};  ///< of the rank that holds most
+        std::int64_t exchange_per_step{0};
+        std::int64_t output_intact{0}, output_broken{0};
+        std::int64_t output_per_interface{0};  ///< for each interface that opens, in each later frame
+    };
 
     Status status{Status::finished};
     std::optional<Invalid> invalid;  ///< given if, and only if, status is invalid
@@ -72,11 +79,15 @@ struct Summary {
     double steps_per_second{0}, times_real_time{0};
     Memory memory;
     Exchange exchange;
+    Forecast forecast;
     std::vector<FrameSeries> frames;
 };
 
 /// The text of summary.json: keys in the order above, numbers that are not finite as null, hashes as 16 hex digits.
 [[nodiscard]] std::string summary_text(const Summary& summary);
+
+/// About the size of that text with so many frames, bytes.
+[[nodiscard]] std::int64_t summary_bytes(std::int64_t frames);
 
 /// Writes summary.json whole or not at all. For the root alone, within on_root() of agreement.hpp. Throws FileError.
 void write_summary(const std::filesystem::path& file, const Summary& summary);

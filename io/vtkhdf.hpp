@@ -9,7 +9,8 @@
 
 namespace cracksim::io {
 
-/// Upper bound of the size of a frame's file, bytes.
+/// What is claimed for a frame's file before it is written, bytes: its size where the file system can claim room, else an upper
+/// bound.
 [[nodiscard]] std::int64_t vtkhdf_bytes(const IndexedFrame& frame);
 
 /// Writes a mesh with at least one cell as a static VTKHDF 1.0 UnstructuredGrid. Throws FileError on all ranks alike. Collective.

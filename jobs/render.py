@@ -20,8 +20,8 @@ import tempfile
 
 import numpy
 from paraview.servermanager import Fetch
-from paraview.simple import (Calculator, CreateRenderView, Delete, GetColorTransferFunction, Render, SaveScreenshot, Show,
-                             Threshold, VTKHDFReader, _DisableFirstRenderCameraReset)
+from paraview.simple import (Calculator, CellDatatoPointData, CreateRenderView, Delete, GetColorTransferFunction, Render,
+                             SaveScreenshot, Show, Threshold, VTKHDFReader, _DisableFirstRenderCameraReset)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SERIES = {"geometry": "surface", "crack": "crack", "masses": "masses", "topology": "topology"}
@@ -145,15 +145,16 @@ def draw_faces(view, source, latest):
 
 def draw_masses(view, source, radius):
     """Neighbouring ids get colours far apart: the fraction of id times the golden section."""
-    mixed = Calculator(Input=source, AttributeType="Point Data", ResultArrayName="colour",
+    by_point = CellDatatoPointData(Input=source)
+    mixed = Calculator(Input=by_point, AttributeType="Point Data", ResultArrayName="colour",
                        Function="fragment*0.6180339887 - floor(fragment*0.6180339887)")
     display = shown(view, mixed, BOUNDARY)
     display.SetRepresentationType("Point Gaussian")
     display.ShaderPreset = "Sphere"
     display.GaussianRadius = radius
     colour_by(display, view, ["POINTS", "colour"],
-              [0, .55, .65, .80, .2, .85, .60, .35, .4, .55, .75, .50, .6, .80, .50, .60, .8, .90, .80, .50, 1, .55, .50, .75])
-    return [mixed]
+              [0, .70, .82, 1, .2, 1, .75, .45, .4, .70, .95, .65, .6, 1, .65, .75, .8, 1, .92, .60, 1, .75, .70, 1])
+    return [by_point, mixed]
 
 
 def draw_map(view, source):
@@ -172,11 +173,11 @@ def last_opening(file):
 
 
 def mass_radius(directory):
-    """A third of the distance of masses at rest, as far as the scene tells it."""
+    """A third of the edge that is neither the longest nor the shortest."""
     for line in (directory / "input.resolved.yaml").read_text(encoding="utf-8").splitlines():
         if line.strip().startswith("edge: "):
-            return min(float(side) for side in line.split(":")[1].strip(" []").split(",")) / 3
-    return 0.0
+            return float(numpy.median([float(side) for side in line.split(":")[1].strip(" []").split(",")])) / 3
+    raise SystemExit(f"render.py: {directory}/input.resolved.yaml does not tell block.edge")
 
 
 def draw(options, view, file, latest):

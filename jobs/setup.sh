@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing of the named sections of packages.txt. Usage: jobs/setup.sh build [test]
+# Installs what is missing of the named sections of packages.txt. Usage: jobs/setup.sh build [test] [long]
 set -euo pipefail
 list=$(dirname "${BASH_SOURCE[0]}")/packages.txt
 [[ $# -gt 0 ]] || { echo "usage: jobs/setup.sh SECTION... (the sections of $list)" >&2; exit 2; }

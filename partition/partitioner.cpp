@@ -18,8 +18,8 @@ struct Graph {
 };
 
 Graph graph_of(const Block& block) {
-    if (block.entity_count() > std::numeric_limits<idx_t>::max() / Hexahedron::faces) {
-        throw std::runtime_error{"the block is too large for METIS with 32-bit indices; use partition.kind: slab"};
+    if (const auto refusal = metis_refusal(block)) {
+        throw std::runtime_error{*refusal};
     }
     Graph graph;
     for (EntityId e{0}; e.value() < block.entity_count(); ++e) {
@@ -42,6 +42,13 @@ std::vector<Rank> from_each_entity(const Block& block, auto&& rank_of) {
 }
 
 }  // namespace
+
+std::optional<std::string> metis_refusal(const Block& block) {
+    if (block.entity_count() <= std::numeric_limits<idx_t>::max() / Hexahedron::faces) {
+        return std::nullopt;
+    }
+    return "the block is too large for METIS with 32-bit indices; use partition.kind: slab";
+}
 
 std::vector<Rank> partition_by_metis(const Block& block, int ranks) {
     if (ranks == 1 || block.entity_count() <= ranks) {

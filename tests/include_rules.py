@@ -42,6 +42,7 @@ LIBRARIES = {
     "gtest/": [],
     "gmock/": [],
     "benchmark/": [],
+    "CGAL/": [],
 }
 SYSTEM = re.compile(r"(sys/\w+|unistd|fcntl|[exp]?mmintrin)\.h$")
 STANDARD = re.compile(r"[a-z_0-9]+$")

@@ -1,13 +1,9 @@
 #include "simulation/dynamics.hpp"
 
-#include <cmath>
-#include <optional>
-#include <string>
 #include <utility>
 
 #include "core/contracts.hpp"
 #include "core/errors.hpp"
-#include "io/memory.hpp"
 #include "partition/halo.hpp"
 #include "physics/advance.hpp"
 #include "physics/hashes.hpp"
@@ -41,33 +37,12 @@ std::vector<LocalMass> local_masses(const partition::Decomposition& decompositio
     return masses;
 }
 
-/// Throws InputError where a machine has too little memory for its ranks' parts of the block: the system would else kill the run,
-/// or other programs, without a word. Collective.
-void check_memory(const partition::Communicator& comm, const Scene& scene) {
-    // Less than any run takes: every rank lists all entities, and holds its own.
-    constexpr double listed = 5;
-    constexpr double owned = 500;
-    constexpr double giga = 1e9;
-    const auto entities = static_cast<double>(scene.block.entity_count());
-    const double needed = comm.ranks_on_this_machine() * entities * (listed + owned / comm.size());
-    const auto available = static_cast<double>(io::machine_bytes());
-    std::optional<std::string> problem;
-    if (needed > available) {
-        problem = scene.places.cells + std::to_string(scene.block.entity_count()) + " entities need more than " +
-                  std::to_string(std::llround(needed / giga)) + " GB on a machine with " +
-                  std::to_string(std::llround(available / giga)) + " GB of memory; use fewer cells, or more machines";
-    }
-    if (const auto said = comm.first(problem)) {
-        throw InputError{*said};
-    }
-}
-
 }  // namespace
 
 Dynamics::Dynamics(const partition::Communicator& comm, const Scene& scene, double step_size, Stopwatch& stopwatch)
     : comm_{&comm},
       stopwatch_{&stopwatch},
-      decomposition_{(check_memory(comm, scene), partition::decompose(comm, scene.block, partitioner(scene)))},
+      decomposition_{partition::decompose(comm, scene.block, partitioner(scene))},
       network_{(check_size(comm, decomposition_), build_network(comm, scene, decomposition_))},
       state_{network_, scene.time.scheme, step_size},
       plan_{motion_plan(comm, network_, decomposition_)},

@@ -12,7 +12,10 @@
 #include "io/run_directory.hpp"
 #include "io/summary.hpp"
 #include "io/text_file.hpp"
+#include "partition/partitioner.hpp"
 #include "physics/simd_target.hpp"
+#include "simulation/forecast.hpp"
+#include "simulation/messages.hpp"
 #include "simulation/progress.hpp"
 #include "simulation/report.hpp"
 #include "simulation/run_files.hpp"
@@ -47,9 +50,37 @@ std::vector<std::string> warnings(const Scene& scene, const CertifiedStep& certi
     return all;
 }
 
+void tell(io::Log& log, const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) {
+        log.info(line);
+    }
+}
+
+/// What a run, or its forecast, begins with on the terminal.
+void announce(io::Log& log, const CommandLine& command, const Scene& scene, const CertifiedStep& certified, int ranks,
+              const Forecast& forecast) {
+    log.info(io::version_line() + ": " + (scene.title.empty() ? command.input.string() : scene.title));
+    tell(log, overview(scene, certified, ranks, forecast));
+    for (const std::string& warning : warnings(scene, certified)) {
+        log.warn(warning);
+    }
+}
+
+/// The most entities that --dry-run builds: some seconds, some hundred megabytes.
+constexpr std::int64_t most_built_to_forecast = 1'000'000;
+
+/// What building the block would refuse.
+void check_unbuilt(const Scene& scene, int ranks) {
+    check_size(scene.block, ranks);
+    const auto refusal = partition::metis_refusal(scene.block);
+    if (refusal && ranks > 1 && scene.partition == PartitionKind::metis) {
+        throw SharedError{*refusal};
+    }
+}
+
 /// Returns the exit code.
-int run_with_files(const partition::Communicator& comm, Simulation& simulation, const io::RunDirectory& directory,
-                   io::Log& log, ProgressStyle style) {
+int run_with_files(const partition::Communicator& comm, Simulation& simulation, const Forecast& forecast,
+                   const io::RunDirectory& directory, io::Log& log, ProgressStyle style) {
     Progress progress{log, style};
     RunFiles files{simulation, directory, progress};
     const auto write = [&](const io::Summary& summary) {
@@ -60,18 +91,16 @@ int run_with_files(const partition::Communicator& comm, Simulation& simulation, 
     } catch (const InvalidRun& invalid) {
         log.error(invalid.what());
         files.finish();
-        write(summarize(simulation, files.frames(), &invalid));
+        write(summarize(simulation, forecast, files.frames(), &invalid));
         throw;
     } catch (const SharedError& error) {
         log.error(error.what());
         return 1;
     }
     files.finish();
-    const io::Summary summary = summarize(simulation, files.frames(), nullptr);
+    const io::Summary summary = summarize(simulation, forecast, files.frames(), nullptr);
     write(summary);
-    for (const std::string& line : closing_lines(summary, directory.path().string())) {
-        log.info(line);
-    }
+    tell(log, closing_lines(summary, directory.path().string()));
     return 0;
 }
 
@@ -81,32 +110,44 @@ int execute(const partition::Communicator& comm, const CommandLine& command) {
     physics::limit_simd_target(comm.min(physics::best_simd_target()));
     Stopwatch stopwatch;
     io::Log log{comm, command.quiet};
+    const Machine machine = look_around(comm);
     const io::RunDirectory directory{command.directory()};
     const Scene scene = read_scene(read_input(comm, command.input), command.input.string(), command.settings);
     directory.check(comm);
+    const CertifiedStep certified = certify_step(scene);
+    const Forecast estimated = estimate(scene, certified, machine);
+    if (!command.dry_run) {
+        check_memory(scene, estimated, machine);
+    }
+    if (const auto warning = memory_warning(estimated, machine)) {
+        log.warn(*warning);
+    }
+    if (command.dry_run && scene.block.entity_count() > most_built_to_forecast) {
+        check_unbuilt(scene, comm.size());
+        announce(log, command, scene, certified, comm.size(), estimated);
+        tell(log, dry_run_lines(estimated, false));
+        return 0;
+    }
     auto simulation =
         stopwatch.time(Phase::setup, [&] { return std::make_unique<Simulation>(comm, scene, stopwatch); });
     if (command.audit) {
         simulation->enable_audit();
     }
-    io::RunLock lock;
-    if (!command.dry_run) {
-        lock = directory.prepare(comm);
-        log.open(directory.file("cracksim.log"));
-        io::on_root(comm, [&] { io::write_text(directory.file("input.resolved.yaml"), resolved(scene)); });
+    const Forecast found = forecast(*simulation, machine);
+    if (command.dry_run) {
+        announce(log, command, scene, certified, comm.size(), found);
+        tell(log, dry_run_lines(found, true));
+        return 0;
     }
-    log.info(io::version_line() + ": " + (scene.title.empty() ? command.input.string() : scene.title));
-    for (const std::string& line : overview(*simulation)) {
-        log.info(line);
-    }
-    for (const std::string& warning : warnings(scene, simulation->certified())) {
-        log.warn(warning);
-    }
-    if (!command.dry_run && comm.is_root() && !lock.held()) {
+    const io::RunLock lock = directory.prepare(comm);
+    log.open(directory.file("cracksim.log"));
+    io::on_root(comm, [&] { io::write_text(directory.file("input.resolved.yaml"), resolved(scene)); });
+    announce(log, command, scene, certified, comm.size(), found);
+    if (comm.is_root() && !lock.held()) {
         log.warn("the file system of " + directory.path().string() +
                  " cannot lock files: no other run may write there meanwhile");
     }
-    return command.dry_run ? 0 : run_with_files(comm, *simulation, directory, log, command.progress);
+    return run_with_files(comm, *simulation, found, directory, log, command.progress);
 }
 
 }  // namespace cracksim::simulation

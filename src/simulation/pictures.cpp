@@ -3,7 +3,6 @@
 #include "geometry/embedding.hpp"
 #include "geometry/free_faces.hpp"
 #include "geometry/measures.hpp"
-#include "simulation/mesh_assembly.hpp"
 #include "topology/dart.hpp"
 #include "topology/orbits.hpp"
 
@@ -30,6 +29,29 @@ CellRecord record_of(const Dynamics& dynamics, const Coat& coat, const physics::
 
 }  // namespace
 
+MeshLayout surface_layout(const Block& block) {
+    return {geometry::CellKind::quadrilateral,
+            block.entity_count(),
+            Hexahedron::corners,
+            Hexahedron::faces,
+            {"entity", "fragment"},
+            {"opened_at", "opening"}};
+}
+
+MeshLayout mass_layout(const Block& block) {
+    return {geometry::CellKind::point, block.entity_count(),   Hexahedron::corners,
+            Hexahedron::corners,       {"entity", "fragment"}, {}};
+}
+
+MeshLayout topology_layout(const Block& block) {
+    return {geometry::CellKind::quadrilateral,
+            block.entity_count(),
+            std::int64_t{Hexahedron::faces} * Hexahedron::face_corners,
+            Hexahedron::faces,
+            {"entity", "sewn"},
+            {"opened_at"}};
+}
+
 geometry::Mesh surface_mesh(const partition::Communicator& comm, const Dynamics& dynamics, const Coat& coat,
                             const physics::Evolution& evolution, Faces faces) {
     std::vector<PointRecord> points;
@@ -43,13 +65,7 @@ geometry::Mesh surface_mesh(const partition::Communicator& comm, const Dynamics&
             points.push_back({cells.back().points[k], evolution.position(face.corners[k])});
         }
     }
-    const MeshLayout layout{geometry::CellKind::quadrilateral,
-                            dynamics.network().block().entity_count(),
-                            Hexahedron::corners,
-                            Hexahedron::faces,
-                            {"entity", "fragment"},
-                            {"opened_at", "opening"}};
-    return assemble(comm, layout, points, cells);
+    return assemble(comm, surface_layout(dynamics.network().block()), points, cells);
 }
 
 geometry::Mesh mass_mesh(const partition::Communicator& comm, const Dynamics& dynamics, const Coat& coat,
@@ -64,10 +80,7 @@ geometry::Mesh mass_mesh(const partition::Communicator& comm, const Dynamics& dy
             cells.push_back({id, {id}, {global_entity(dynamics, e), coat.fragments()[e].value()}, {}});
         }
     }
-    const MeshLayout layout{geometry::CellKind::point, dynamics.network().block().entity_count(),
-                            Hexahedron::corners,       Hexahedron::corners,
-                            {"entity", "fragment"},    {}};
-    return assemble(comm, layout, points, cells);
+    return assemble(comm, mass_layout(dynamics.network().block()), points, cells);
 }
 
 geometry::Mesh topology_mesh(const partition::Communicator& comm, const Dynamics& dynamics, const Coat& coat,
@@ -88,13 +101,7 @@ geometry::Mesh topology_mesh(const partition::Communicator& comm, const Dynamics
             cells.push_back(cell);
         }
     }
-    const MeshLayout layout{geometry::CellKind::quadrilateral,
-                            dynamics.network().block().entity_count(),
-                            std::int64_t{Hexahedron::faces} * Hexahedron::face_corners,
-                            Hexahedron::faces,
-                            {"entity", "sewn"},
-                            {"opened_at"}};
-    return assemble(comm, layout, points, cells);
+    return assemble(comm, topology_layout(dynamics.network().block()), points, cells);
 }
 
 }  // namespace cracksim::simulation

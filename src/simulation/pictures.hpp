@@ -1,16 +1,23 @@
 #pragma once
 
+#include "core/block.hpp"
 #include "geometry/mesh.hpp"
 #include "partition/communicator.hpp"
 #include "physics/evolution.hpp"
 #include "simulation/coat.hpp"
 #include "simulation/dynamics.hpp"
+#include "simulation/mesh_assembly.hpp"
 
 namespace cracksim::simulation {
 
 /// What the frames show, at the current state. Each function is collective.
 
 enum class Faces { all_free, crack_only };
+
+/// What the meshes of these functions are and carry.
+[[nodiscard]] MeshLayout surface_layout(const Block& block);
+[[nodiscard]] MeshLayout mass_layout(const Block& block);
+[[nodiscard]] MeshLayout topology_layout(const Block& block);
 
 /// Free faces at the current positions of their corners, one point a topological vertex.
 [[nodiscard]] geometry::Mesh surface_mesh(const partition::Communicator& comm, const Dynamics& dynamics,

@@ -35,6 +35,14 @@ std::vector<physics::Support> supports(const Scene& scene) {
     return all;
 }
 
+void refuse_above_limit(std::int64_t entities_of_a_rank) {
+    constexpr auto most = std::int64_t{topology::FaceLink::entity_limit} - 1;
+    if (entities_of_a_rank > most) {
+        throw InputError{"block.cells: a rank would hold more than " + std::to_string(most) +
+                         " entities; use more ranks"};
+    }
+}
+
 /// The first thing that is wrong with this rank's part of the problem.
 std::optional<std::string> finding(const physics::Network& network, const physics::Initial& initial,
                                    const Places& places) {
@@ -107,12 +115,24 @@ physics::Initial initial_fields(const Scene& scene) {
             [field = scene.initial.velocity](Vec3 at) { return evaluate(field, at); }};
 }
 
+io::Summary::Counts scene_counts(const Scene& scene) {
+    const Block& block = scene.block;
+    constexpr std::int64_t darts_per_face = 2 * Hexahedron::face_corners;
+    return {block.entity_count(),
+            block.mass_count(),
+            block.entity_count() * physics::HexahedronPairs::count,
+            scene.duplets == physics::Duplets::tree
+                ? block.mass_count() - block.vertex_count()
+                : block.interior_face_count() * physics::Network::duplets_per_interface,
+            block.vertex_count(),
+            block.entity_count() * Hexahedron::faces * darts_per_face,
+            block.interior_face_count()};
+}
+
+void check_size(const Block& block, int ranks) { refuse_above_limit((block.entity_count() + ranks - 1) / ranks); }
+
 void check_size(const partition::Communicator& comm, const partition::Decomposition& decomposition) {
-    const auto most = std::int64_t{topology::FaceLink::entity_limit} - 1;
-    if (comm.max(static_cast<std::int64_t>(decomposition.entities.size())) > most) {
-        throw InputError{"block.cells: a rank would hold more than " + std::to_string(most) +
-                         " entities; use more ranks"};
-    }
+    refuse_above_limit(comm.max(static_cast<std::int64_t>(decomposition.entities.size())));
 }
 
 physics::Network build_network(const partition::Communicator& comm, const Scene& scene,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/block.hpp"
+#include "io/summary.hpp"
 #include "partition/decomposition.hpp"
 #include "partition/partitioner.hpp"
 #include "physics/network.hpp"
@@ -25,6 +26,10 @@ struct CertifiedStep {
 [[nodiscard]] partition::Partitioner partitioner(const Scene& scene);
 [[nodiscard]] physics::Initial initial_fields(const Scene& scene);
 
+[[nodiscard]] io::Summary::Counts scene_counts(const Scene& scene);
+
+/// Throws InputError if the entities are more than the lists of so many ranks can number, however they are shared out.
+void check_size(const Block& block, int ranks);
 /// Collective. Throws InputError if a rank holds more entities than its lists can number.
 void check_size(const partition::Communicator& comm, const partition::Decomposition& decomposition);
 

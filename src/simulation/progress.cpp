@@ -28,7 +28,10 @@ std::string bytes_text(double bytes) {
     if (bytes < 1e6) {
         return formatted("%.0f kB", bytes / 1e3);
     }
-    return bytes < 1e9 ? formatted("%.0f MB", bytes / 1e6) : formatted("%.1f GB", bytes / 1e9);
+    if (bytes < 1e12) {
+        return bytes < 1e9 ? formatted("%.0f MB", bytes / 1e6) : formatted("%.1f GB", bytes / 1e9);
+    }
+    return formatted("%.1f TB", bytes / 1e12);
 }
 
 std::string duration_text(double s) {

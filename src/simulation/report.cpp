@@ -1,15 +1,11 @@
 #include "simulation/report.hpp"
 
-#include <algorithm>
-
 #include "core/hash.hpp"
 #include "core/text.hpp"
 #include "io/memory.hpp"
 #include "partition/session.hpp"
-#include "physics/entity_model.hpp"
 #include "physics/hashes.hpp"
 #include "physics/simd_target.hpp"
-#include "simulation/progress.hpp"
 #include "simulation/scene_resolved.hpp"
 
 namespace cracksim::simulation {
@@ -17,15 +13,6 @@ namespace cracksim::simulation {
 namespace {
 
 constexpr std::size_t listed_fragments = 10;
-
-/// 1234567 -> "1,234,567".
-std::string grouped(std::int64_t value) {
-    std::string text = std::to_string(value);
-    for (auto place = static_cast<std::ptrdiff_t>(text.size()) - 3; place > 0; place -= 3) {
-        text.insert(static_cast<std::size_t>(place), ",");
-    }
-    return text;
-}
 
 std::uint64_t digest(const std::string& text) {
     std::uint64_t h = text.size();
@@ -46,21 +33,6 @@ io::Provenance provenance(const Simulation& simulation) {
     p.seed = weibull ? weibull->seed : 0;
     p.input_digest = hex(digest(resolved(simulation.scene())));
     return p;
-}
-
-std::int64_t duplet_count(const Scene& scene) {
-    const Block& block = scene.block;
-    return scene.duplets == physics::Duplets::tree
-               ? block.mass_count() - block.vertex_count()
-               : block.interior_face_count() * physics::Network::duplets_per_interface;
-}
-
-io::Summary::Counts counts(const Scene& scene) {
-    const Block& block = scene.block;
-    constexpr std::int64_t darts_per_face = 2 * Hexahedron::face_corners;
-    return {block.entity_count(),       block.mass_count(),   block.entity_count() * physics::HexahedronPairs::count,
-            duplet_count(scene),        block.vertex_count(), block.entity_count() * Hexahedron::faces * darts_per_face,
-            block.interior_face_count()};
 }
 
 io::Summary::Seconds seconds(const Simulation& simulation) {
@@ -103,7 +75,8 @@ std::vector<io::Summary::Fragment> largest_fragments(const Simulation& simulatio
 
 }  // namespace
 
-io::Summary summarize(const Simulation& simulation, std::vector<io::FrameSeries> frames, const InvalidRun* invalid) {
+io::Summary summarize(const Simulation& simulation, const Forecast& forecast, std::vector<io::FrameSeries> frames,
+                      const InvalidRun* invalid) {
     const partition::Communicator& comm = simulation.comm();
     const Dynamics& dynamics = simulation.dynamics();
     const CertifiedStep& certified = simulation.certified();
@@ -115,7 +88,7 @@ io::Summary summarize(const Simulation& simulation, std::vector<io::FrameSeries>
         summary.invalid = {invalid->step(), invalid->mass(), invalid->what()};
     }
     summary.provenance = provenance(simulation);
-    summary.counts = counts(simulation.scene());
+    summary.counts = scene_counts(simulation.scene());
     summary.time = {simulation.scene().time.scheme == physics::Scheme::ab2 ? "ab2" : "cordis",
                     certified.step,
                     certified.bound.step,
@@ -137,40 +110,11 @@ io::Summary summarize(const Simulation& simulation, std::vector<io::FrameSeries>
     summary.times_real_time = summary.time.end / running;
     summary.memory = memory(simulation);
     summary.exchange = exchange(simulation);
+    summary.forecast = {forecast.memory_per_rank.intact, forecast.memory_per_rank.broken,
+                        forecast.exchange_per_step,      forecast.output.bytes.intact,
+                        forecast.output.bytes.broken,    forecast.output.per_interface};
     summary.frames = std::move(frames);
     return summary;
-}
-
-std::vector<std::string> overview(const Simulation& simulation) {
-    const io::Summary::Counts n = counts(simulation.scene());
-    const CertifiedStep& c = simulation.certified();
-    const io::Summary::Memory m = memory(simulation);
-    const io::Summary::Exchange e = exchange(simulation);
-    const auto entities = static_cast<double>(n.entities);
-    return {grouped(n.entities) + " entities, " + grouped(n.masses) + " masses in " + grouped(n.unions) +
-                " Mass-unions, " + grouped(n.interactions) + " interactions, " + grouped(n.duplets) + " duplets, " +
-                grouped(n.darts) + " darts",
-            "time step " + rounded(c.step) + " s (" + rounded(100 * c.step / c.bound.step) + " % of the bound " +
-                rounded(c.bound.step) + " s set by " + c.bound.cause + "), " + grouped(c.steps) +
-                " steps to t = " + rounded(simulation.scene().time.end) + " s",
-            std::to_string(simulation.comm().size()) + " rank(s), SIMD " + physics::simd_target_name() +
-                "; model and map " + bytes_text(m.per_entity * entities) + " in all, exchange " +
-                bytes_text(e.bytes_per_step) + " a step"};
-}
-
-std::vector<std::string> closing_lines(const io::Summary& s, const std::string& directory) {
-    std::vector<std::string> lines{grouped(s.time.steps) + " steps in " + duration_text(s.seconds.total) + " (" +
-                                       rounded(s.steps_per_second) + " steps/s, " + rounded(s.times_real_time) +
-                                       " x real time)",
-                                   grouped(s.events.splits) + " splits, " + grouped(s.fragments) +
-                                       " fragment(s), crack area " + rounded(s.crack_area) + " m2"};
-    std::string largest;
-    for (std::size_t i = 0; i < std::min<std::size_t>(3, s.largest_fragments.size()); ++i) {
-        largest += (i == 0 ? "" : ", ") + rounded(100 * s.largest_fragments[i].volume_share) + " %";
-    }
-    lines.push_back("largest fragments by volume: " + largest);
-    lines.push_back("results in " + directory + "; look at " + directory + "/surface.xdmf in ParaView");
-    return lines;
 }
 
 }  // namespace cracksim::simulation

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -14,6 +15,24 @@ public:
 
     [[nodiscard]] bool is_due(std::int64_t step) const {
         return per_step_ > 0 && (step == 0 || ticks(step) > ticks(step - 1));
+    }
+
+    /// How many of the steps 0 to `last` are due.
+    [[nodiscard]] std::int64_t due_until(std::int64_t last) const {
+        if (!(per_step_ > 0)) {
+            return 0;
+        }
+        return 1 + (per_step_ >= 1 ? last : static_cast<std::int64_t>(ticks(last)));
+    }
+
+    /// The first due step after this one. Requires a rate above 0.
+    [[nodiscard]] std::int64_t next_due(std::int64_t step) const {
+        const double tick = ticks(step) + 1;
+        std::int64_t next = std::max(step + 1, static_cast<std::int64_t>(tick / per_step_) - 1);
+        while (ticks(next) < tick) {
+            ++next;
+        }
+        return next;
     }
 
 private:

@@ -118,6 +118,14 @@ def two_runs_do_not_share_a_directory(workplace, quick):
     check((directory / "history.csv").exists(), "the second run removed files of the first")
 
 
+def block_beyond_the_memory_is_refused(workplace, quick):
+    del quick
+    for ranks in (1, 2):
+        done = workplace.run(workplace.write(SCENE.replace("[4, 4, 2]", "[1000, 1000, 100]")), ranks=ranks)
+        check(done.returncode == 2, f"the exit code is {done.returncode}, not 2\n{done.stdout}{done.stderr}")
+        check(len(message_lines(done, "100000000 entities need about")) == 1, f"the message is:\n{done.stderr}")
+
+
 def support_may_start_with_infinite_acceleration(workplace, quick):
     del quick
     scene = cracking_scene(supports=[{"name": "pull", "where": {"box": [[0.075, -1, -1], [1, 1, 1]]},
@@ -177,5 +185,5 @@ def unstable_run_returns_3(workplace, quick):
 if __name__ == "__main__":
     main([wrong_scenes_return_2, wrong_commands_return_2, foreign_directory_is_refused, old_run_goes_only_for_a_valid_one,
           two_runs_do_not_share_a_directory,
-          support_may_start_with_infinite_acceleration, dry_run_writes_nothing, help_and_version_return_0, default_directory_is_the_stem_of_the_input,
+          block_beyond_the_memory_is_refused, support_may_start_with_infinite_acceleration, dry_run_writes_nothing, help_and_version_return_0, default_directory_is_the_stem_of_the_input,
           unstable_run_returns_3])

@@ -98,5 +98,22 @@ TEST(EventWriter, WhatAllRanksGiveIsWrittenOnce) {
     EXPECT_EQ(file.read<std::int64_t>("/splits/masses"), (Integers{1, 9}));
 }
 
+TEST(EventWriter, SizeOfTheFileIsKnownBeforehand) {
+    for (const std::int64_t count : {0, 1, 4097, 300000}) {
+        const Scratch scratch;
+        std::vector<physics::DupletEvent> events;
+        SplitParts parts;
+        for (std::int64_t i = 0; i < count && world().is_root(); ++i) {
+            events.push_back(event(i, i, i + 1));
+            parts.add(i, MassId{i}, std::vector{MassId{i}, MassId{i + 1}});
+        }
+        EventWriter{world(), scratch / "events.hdf", dt}.append(events, parts);
+        if (world().is_root()) {
+            const auto size = static_cast<double>(std::filesystem::file_size(scratch / "events.hdf"));
+            EXPECT_NEAR(static_cast<double>(event_file_bytes(count, count, 2 * count)), size, 0.03 * size) << count;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace cracksim::io

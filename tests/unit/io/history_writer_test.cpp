@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "io/file_error.hpp"
 #include "unit/io/scratch.hpp"
 
@@ -41,6 +43,18 @@ TEST(HistoryWriter, FullDiskIsThrownOnAllRanks) {
     } catch (const FileError& error) {
         EXPECT_TRUE(error.disk_full()) << error.what();
     }
+}
+
+TEST(HistoryWriter, SizeOfTheFileIsAboutKnownBeforehand) {
+    const Scratch scratch;
+    constexpr std::int64_t rows = 100;
+    HistoryWriter history{world(), scratch / "history.csv"};
+    for (std::int64_t step = 0; step < rows; ++step) {
+        const double value = std::sqrt(2.0 + static_cast<double>(step));
+        history.write({step, value, value, value / 3000, value / 7000, 0, 0, 55451, 1, 1, 0});
+    }
+    const auto size = static_cast<double>(text_of(scratch / "history.csv").size());
+    EXPECT_NEAR(static_cast<double>(history_bytes(rows)), size, 0.15 * size);
 }
 
 }  // namespace

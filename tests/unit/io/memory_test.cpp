@@ -21,18 +21,25 @@ TEST(PeakResidentBytes, GrowsWithMemoryThatIsUsedAndStaysAfterIt) {
     EXPECT_GT(peak_resident_bytes(), std::max(before, static_cast<std::int64_t>(bytes)));
 }
 
-TEST(MachineBytes, AreMoreThanThisProcessHoldsAndFollowItsLimit) {
-    const std::int64_t machine = machine_bytes();
-    EXPECT_GT(machine, peak_resident_bytes());
+TEST(AvailableBytes, AreKnownAndMoreThanNothing) {
+    const auto available = available_bytes();
+    ASSERT_TRUE(available);
+    EXPECT_GT(*available, 1 << 20);
+}
+
+TEST(ShareOfMemory, IsMoreThanThisProcessHoldsAndFollowsItsLimit) {
+    const std::int64_t all = share_of_memory(1);
+    EXPECT_GT(all, peak_resident_bytes());
+    EXPECT_EQ(share_of_memory(2), all / 2);
     struct rlimit limit {};
     ASSERT_EQ(getrlimit(RLIMIT_AS, &limit), 0);
     const rlim_t before = limit.rlim_cur;
-    limit.rlim_cur = static_cast<rlim_t>(machine) - 1;
+    limit.rlim_cur = static_cast<rlim_t>(all) - 1;
     ASSERT_EQ(setrlimit(RLIMIT_AS, &limit), 0);
-    const std::int64_t limited = machine_bytes();
+    const std::int64_t limited = share_of_memory(1);
     limit.rlim_cur = before;
     ASSERT_EQ(setrlimit(RLIMIT_AS, &limit), 0);
-    EXPECT_EQ(limited, machine - 1);
+    EXPECT_EQ(limited, all - 1);
 }
 
 }  // namespace

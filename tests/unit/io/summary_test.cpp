@@ -68,6 +68,12 @@ TEST(Summary, HasTheKeysThatUsersRelyOn) {
                                 "/memory/map_per_entity",
                                 "/exchange/bytes_per_step",
                                 "/exchange/neighbours_max",
+                                "/forecast/memory_intact",
+                                "/forecast/memory_broken",
+                                "/forecast/exchange_per_step",
+                                "/forecast/output_intact",
+                                "/forecast/output_broken",
+                                "/forecast/output_per_interface",
                                 "/largest_fragments",
                                 "/frames"}) {
         EXPECT_TRUE(json.contains(Json::json_pointer{pointer})) << pointer;
@@ -124,6 +130,14 @@ TEST(Summary, FileIsReplacedWhole) {
         EXPECT_EQ(text_of(scratch / "summary.json"), summary_text({}));
         EXPECT_FALSE(has_unfinished(scratch.path()));
     }
+}
+
+TEST(Summary, SizeIsAboutKnownBeforehand) {
+    Summary summary;
+    const FrameRecord frame{"frames/surface-000001.hdf", 21, 1.0 / 3, 12600, 12602};
+    summary.frames = {{"surface", std::vector(1000, frame)}};
+    const auto size = static_cast<double>(summary_text(summary).size());
+    EXPECT_NEAR(static_cast<double>(summary_bytes(1000)), size, 0.15 * size);
 }
 
 }  // namespace

@@ -32,5 +32,17 @@ TEST(Schedule, IsNeverDueAtRateZeroAndAtEveryStepAtAHighRate) {
     EXPECT_EQ(due_steps(1000, 0.1, 100).size(), 101U);
 }
 
+TEST(Schedule, CountsAndFindsTheStepsThatAreDue) {
+    for (const double rate : {0.0, 3.0, 50.0, 333.0, 999.0, 1000.0, 4000.0}) {
+        const Schedule schedule{rate, 1e-3};
+        const std::vector<std::int64_t> due = due_steps(rate, 1e-3, 1000);
+        EXPECT_EQ(schedule.due_until(1000), static_cast<std::int64_t>(due.size())) << rate;
+        for (std::size_t i = 1; i < due.size(); ++i) {
+            ASSERT_EQ(schedule.next_due(due[i - 1]), due[i]) << rate;
+            ASSERT_EQ(schedule.next_due(due[i] - 1), due[i]) << rate;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace cracksim::simulation

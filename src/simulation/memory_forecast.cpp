@@ -1,0 +1,161 @@
+#include "simulation/memory_forecast.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/hexahedron.hpp"
+#include "io/frame_writer.hpp"
+#include "physics/network.hpp"
+#include "physics/state.hpp"
+#include "simulation/mesh_assembly.hpp"
+#include "topology/face_link.hpp"
+
+namespace cracksim::simulation {
+
+namespace {
+
+// Measured; all else follows from the sizes of what is held.
+
+/// What libraries take when they are first used (HDF5, messages, code): the peak of runs of one entity a rank, over what the process
+/// held before: 5.7 MB on one rank, 6.3 MB on four.
+constexpr double libraries_in_use = 6e6;
+/// Per entity of the whole block, on the root: the graph, and METIS's coarser graphs; the peak of 800,000 entities on 8 ranks.
+constexpr double metis_per_entity = 180;
+/// Per mass that is sent or received: ids, PetscSF's lists and buffers.
+constexpr double exchange_per_mass = 45;
+/// A node of a hash table and its share of the buckets, as the allocator rounds them.
+constexpr double hash_node = 40;
+
+constexpr double duplets = physics::Network::duplets_per_interface;
+
+double number(std::int64_t n) { return static_cast<double>(n); }
+double masses(const PartLoad& load) { return Hexahedron::corners * number(load.local); }
+
+double network_bytes(const PartLoad& load) {
+    constexpr double per_entity = sizeof(EntityId) + sizeof(std::uint8_t) + Hexahedron::faces * sizeof(std::int32_t) +
+                                  Hexahedron::corners * (sizeof(LocalMass) + sizeof(std::uint8_t));
+    constexpr double per_interface = sizeof(physics::Interface) + duplets * sizeof(double) + sizeof(std::uint8_t);
+    return number(load.local) * per_entity + number(load.interfaces) * per_interface +
+           number(load.unions) * sizeof(std::size_t);
+}
+
+/// Every received mass and every union has a slot; a union that falls apart has one for each of its masses.
+double state_bytes(const PartLoad& load, physics::Scheme scheme, double opened) {
+    constexpr double per_entity = 2 * Hexahedron::corners * sizeof(std::int32_t) + 4 * sizeof(double);
+    const double fields = scheme == physics::Scheme::ab2 ? 4 : 3;
+    const double per_slot = 3 * sizeof(double) * fields + sizeof(double) + 2 * sizeof(std::int32_t);
+    const double at_start = number(load.unions + load.received);
+    const double slots = at_start + opened * (masses(load) - at_start);
+    return number(load.local) * per_entity + slots * per_slot + number(load.interfaces);
+}
+
+/// Links, masks, two labels an entity, and the times at which faces were opened.
+double coat_bytes(const PartLoad& load, double opened) {
+    constexpr double per_entity =
+        Hexahedron::faces * sizeof(topology::FaceLink) + sizeof(std::uint8_t) + 2 * sizeof(EntityId);
+    return number(load.local) * per_entity + 2 * opened * number(load.interfaces) * hash_node;
+}
+
+double distribution_bytes(const PartLoad& load) {
+    constexpr double per_entity = sizeof(EntityId) + sizeof(Rank) + sizeof(std::uint8_t);
+    return number(load.local) * per_entity + number(load.received + load.sent) * exchange_per_mass;
+}
+
+/// Before the rank has anything else: the owner of every entity of the block, a mark for each, and on the root what METIS takes.
+double partition_bytes(const Scene& scene, const RankSetting& setting) {
+    const bool by_metis = setting.is_root && setting.ranks > 1 && scene.partition == PartitionKind::metis;
+    return number(scene.block.entity_count()) *
+           (sizeof(Rank) + sizeof(std::uint8_t) + (by_metis ? metis_per_entity : 0.0));
+}
+
+double between(const Range& range, double opened) {
+    return number(range.intact) + opened * number(range.broken - range.intact);
+}
+
+/// Cells of a frame that a rank makes of its own entities, and that it files by their ids: the first run of ids has the lower side
+/// of the block, so it has the most.
+struct Share {
+    double made;
+    double filed;
+};
+
+Share share_of(const Scene& scene, const SeriesForecast& series, const PartLoad& load, int ranks, double opened) {
+    const Block& block = scene.block;
+    const double all = number(block.entity_count());
+    const double boundary = Hexahedron::faces * all - 2 * number(block.interior_face_count());
+    const bool begins_as_boundary =
+        number(series.faces.intact) == boundary && series.faces.broken > series.faces.intact;
+    const double inside = opened * number(series.faces.broken - series.faces.intact);
+    if (!begins_as_boundary) {
+        const double cells = number(series.faces.intact) + inside;
+        return {cells * number(load.owned) / all, cells / ranks};
+    }
+    const double lower = number(block.cells()[0] * block.cells()[1]);
+    const double first = ranks == 1 ? boundary : std::min(lower, all / ranks) + (boundary - 2 * lower) / ranks;
+    return {number(load.boundary_faces) + inside * number(load.owned) / all, first + inside / ranks};
+}
+
+/// The busiest moment of the assembly of a mesh: records of points (or cells) as made, sorted out by rank and joined for the
+/// message; as received, and split by rank; beside them the records of cells (or points).
+double assembly_bytes(const Share& cells, double corners) {
+    const double cell = sizeof(CellRecord);
+    const double point = corners * sizeof(PointRecord);
+    const double while_points = (3 * point + cell) * cells.made + 2 * point * cells.filed;
+    const double while_cells = (point + 3 * cell) * cells.made + (point + 2 * cell) * cells.filed;
+    return std::max(while_points, while_cells);
+}
+
+/// A small frame is gathered: the root has it whole, one of its arrays (a value for each corner of a cell) twice.
+double gathering_bytes(const SeriesForecast& series, const RankSetting& setting, double cells, double frame) {
+    const bool gathered = setting.is_root && frame < number(io::FrameWriter::default_gather_below);
+    const double share = frame / setting.ranks;
+    return gathered ? share + frame + number(series.cells.corners()) * cells * sizeof(std::int64_t) : share;
+}
+
+/// Positions of all masses at rest and their displacements, and the series that takes most.
+double frame_bytes(const Scene& scene, const PartLoad& load, const RankSetting& setting, double opened) {
+    double most = 0;
+    for (const SeriesForecast& series : forecast_series(scene)) {
+        const double cells = between(series.faces, opened);
+        const double frame = between(series.frame_bytes, opened);
+        const Share share = share_of(scene, series, load, setting.ranks, opened);
+        most = std::max({most, assembly_bytes(share, number(series.cells.corners())),
+                         gathering_bytes(series, setting, cells, frame)});
+    }
+    return masses(load) * 2 * sizeof(Vec3) + most;
+}
+
+/// The events of a coat: as told by the rank, and on the root all of them gathered, sorted, and as columns of the file.
+double event_bytes(const Scene& scene, const PartLoad& load, const RankSetting& setting, double opened) {
+    constexpr double event = sizeof(physics::DupletEvent);
+    constexpr double part = 3 * sizeof(std::int64_t);
+    constexpr double stream = sizeof(std::size_t) + sizeof(LocalMass);
+    const auto held = [&](double entities, double interfaces, double copies) {
+        const double each_mass = Hexahedron::corners * entities * (part + sizeof(MassId));
+        return copies * (interfaces * duplets * event + each_mass);
+    };
+    const double here = held(number(load.owned), number(load.interfaces), 1) + masses(load) * stream;
+    constexpr double columns = 4 * sizeof(std::int64_t);
+    const double all_interfaces = number(scene.block.interior_face_count());
+    const double on_root =
+        held(number(scene.block.entity_count()), all_interfaces, 2) + all_interfaces * duplets * columns;
+    return opened * (here + (setting.is_root ? on_root : 0));
+}
+
+}  // namespace
+
+double model_bytes(const PartLoad& load, physics::Scheme scheme, double opened) {
+    return network_bytes(load) + state_bytes(load, scheme, opened) + coat_bytes(load, opened);
+}
+
+std::int64_t peak_bytes(const Scene& scene, const PartLoad& load, const RankSetting& setting, double opened) {
+    const double model = model_bytes(load, scene.time.scheme, opened) + distribution_bytes(load);
+    // Events and frames add up: SuperLU_DIST, which comes with PETSc, sets the allocator to give nothing back to the system, and the
+    // pieces that a coat leaves are too small for a frame.
+    const double running =
+        model + event_bytes(scene, load, setting, opened) + frame_bytes(scene, load, setting, opened);
+    const double phases = std::max(partition_bytes(scene, setting), running);
+    return setting.process_bytes + std::llround(libraries_in_use + phases);
+}
+
+}  // namespace cracksim::simulation

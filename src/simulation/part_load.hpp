@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/block.hpp"
+#include "simulation/coat.hpp"
+#include "simulation/dynamics.hpp"
+#include "simulation/scene.hpp"
+
+namespace cracksim::simulation {
+
+/// What a rank holds of the block: the counts from which its memory and its messages follow.
+struct PartLoad {
+    std::int64_t owned{0};           ///< entities
+    std::int64_t local{0};           ///< owned and halo entities
+    std::int64_t interfaces{0};      ///< between local entities
+    std::int64_t unions{0};          ///< touched Mass-unions at the start
+    std::int64_t received{0};        ///< masses
+    std::int64_t sent{0};            ///< masses, once for each rank that receives them
+    std::int64_t boundary_faces{0};  ///< of owned entities, on the block's boundary
+};
+
+/// What this rank holds.
+[[nodiscard]] PartLoad load_of(const Dynamics& dynamics, const Coat& coat);
+
+/// What each rank would hold, without partitioning: exact on one rank, else about. METIS's parts are taken for boxes that come
+/// from halving the block across its longest axis again and again, with a surface that is rougher than a box's.
+[[nodiscard]] std::vector<PartLoad> estimated_loads(const Block& block, PartitionKind kind, int ranks);
+
+}  // namespace cracksim::simulation

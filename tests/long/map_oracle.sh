@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# cracksim's map against CGAL's generalized map, dart by dart, on 1, 2 and 3 ranks. CRACKSIM_SEED=n begins with that seed.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+# shellcheck source=jobs/environment.sh
+source jobs/environment.sh
+export OMPI_MCA_mpi_yield_when_idle=1
+jobs/build.sh long map_oracle >/dev/null
+for ranks in 1 2 3; do
+    mpirun -n "$ranks" build/release/tests/map_oracle --gtest_color=no --gtest_brief=1
+done

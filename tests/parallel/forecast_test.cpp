@@ -1,0 +1,72 @@
+// What is said of a run before it starts, against the problem as it is built, on any number of ranks.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+#include "partition/communicator.hpp"
+#include "simulation/memory_forecast.hpp"
+#include "simulation/part_load.hpp"
+#include "simulation/scene_reader.hpp"
+#include "simulation/simulation.hpp"
+
+namespace cracksim::simulation {
+namespace {
+
+const partition::Communicator& world() {
+    static const partition::Communicator comm{MPI_COMM_WORLD};
+    return comm;
+}
+
+Scene scene_of(const std::string& cells, const std::string& partition, const std::string& scheme) {
+    return read_scene("block: {cells: " + cells +
+                          ", edge: 0.01}\nmaterial: {young: 2.0e4, density: 1000}\nsensors: {threshold: 0.02}\n"
+                          "time: {end: 0.01, scheme: " +
+                          scheme + "}\npartition: {kind: " + partition + "}\n",
+                      "forecast.yaml", {});
+}
+
+std::array<std::int64_t, 7> counts(const PartLoad& l) {
+    return {l.owned, l.local, l.interfaces, l.unions, l.received, l.sent, l.boundary_faces};
+}
+
+TEST(EstimatedLoads, AreExactForSlabsOfWholeLayers) {
+    const Scene scene = scene_of("[6, 5, 12]", "slab", "cordis");
+    Stopwatch stopwatch;
+    const Simulation simulation{world(), scene, stopwatch};
+    const auto estimated = estimated_loads(scene.block, scene.partition, world().size());
+    EXPECT_EQ(counts(load_of(simulation.dynamics(), simulation.coat())), counts(estimated[world().rank().index()]));
+}
+
+TEST(EstimatedLoads, AreWithinAQuarterOfMetisParts) {
+    const Scene scene = scene_of("[30, 30, 10]", "metis", "cordis");
+    Stopwatch stopwatch;
+    const Simulation simulation{world(), scene, stopwatch};
+    const PartLoad found = load_of(simulation.dynamics(), simulation.coat());
+    PartLoad estimated;
+    for (const PartLoad& load : estimated_loads(scene.block, scene.partition, world().size())) {
+        estimated.local += load.local;
+        estimated.sent += load.sent;
+    }
+    const auto near = [](std::int64_t a, std::int64_t b) { return 4 * std::abs(a - b) <= b; };
+    EXPECT_PRED2(near, estimated.local, world().sum(found.local));
+    EXPECT_PRED2(near, estimated.sent, world().sum(found.sent));
+}
+
+TEST(ModelBytes, AreWhatNetworkStateAndMapHold) {
+    for (const char* scheme : {"cordis", "ab2"}) {
+        const Scene scene = scene_of("[20, 16, 12]", "metis", scheme);
+        Stopwatch stopwatch;
+        const Simulation simulation{world(), scene, stopwatch};
+        const Dynamics& dynamics = simulation.dynamics();
+        const auto held = static_cast<double>(dynamics.network().memory_bytes() + dynamics.state().memory_bytes() +
+                                              simulation.coat().map().memory_bytes());
+        const double model = model_bytes(load_of(dynamics, simulation.coat()), scene.time.scheme, 0);
+        // Lists that grew have room for more than they hold, of which the process never touches a page; labels come with the first coat.
+        EXPECT_LT(model, 1.04 * held);
+        EXPECT_GT(model, 0.85 * held);
+    }
+}
+
+}  // namespace
+}  // namespace cracksim::simulation

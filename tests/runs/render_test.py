@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""jobs/render.py shows what each view is for, makes movies, and says what is wrong with a request."""
+import pathlib
+import shutil
+import subprocess
+import sys
+
+from runner import check, cracking_scene, main
+
+SKIPPED = 77
+RENDER = pathlib.Path(__file__).resolve().parents[2] / "jobs/render.py"
+SIZE = (320, 240)
+
+
+def render(directory, *arguments):
+    """Once more if the X server, which is not what is tested, went away."""
+    for _ in range(2):
+        done = subprocess.run(["xvfb-run", "-a", "pvpython", RENDER, directory, *arguments], text=True,
+                              capture_output=True, check=False, stdin=subprocess.DEVNULL, timeout=600)
+        if "bad X server connection" not in done.stderr:
+            break
+    return done
+
+
+def rendered(directory, out, *arguments):
+    done = render(directory, "--out", out, "--size", "x".join(map(str, SIZE)), *arguments)
+    check(done.returncode == 0 and not done.stderr, f"{arguments}: {done.returncode}\n{done.stdout}{done.stderr}")
+    return out
+
+
+def pixels(picture):
+    raw = subprocess.run(["ffmpeg", "-nostdin", "-loglevel", "error", "-i", picture, "-f", "rawvideo", "-pix_fmt", "rgb24",
+                          "-"], capture_output=True, check=True).stdout
+    check(len(raw) == 3 * SIZE[0] * SIZE[1], f"{picture} has not {SIZE[0]} x {SIZE[1]} pixels")
+    return list(zip(raw[0::3], raw[1::3], raw[2::3]))
+
+
+def is_red(p):
+    return p[0] > 60 and p[0] > 2 * p[1] and p[0] > 2 * p[2]
+
+
+def is_orange(p):
+    return p[0] > 80 and 0.35 * p[0] < p[1] < 0.75 * p[0] and p[2] < 0.4 * p[0]
+
+
+def is_blue(p):
+    return p[2] > 60 and p[2] > 1.3 * p[0]
+
+
+def is_grey(p):
+    return 60 < p[0] < 240 and abs(p[0] - p[1]) < 30 and 0.7 * p[0] < p[2] < p[0]
+
+
+def share(picture, colour):
+    found = pixels(picture)
+    return sum(map(colour, found)) / len(found)
+
+
+def every_view_shows_its_colours(workplace, quick):
+    del quick
+    directory = workplace.finished(cracking_scene(
+        output={"rate": 0, "surface": True, "crack": True, "masses": True, "topology": True}))
+    expected = {"geometry": (is_red, is_grey), "crack": (is_red,), "topology": (is_blue, is_orange)}
+    for view, colours in expected.items():
+        picture = rendered(directory, workplace.path / f"{view}.png", "--view", view)
+        for colour in colours:
+            check(share(picture, colour) > 0.01, f"{view}: less than 1 % of the picture {colour.__name__}")
+        check(share(picture, lambda p: p == (255, 255, 255)) > 0.2, f"{view}: the background is not white")
+    intact = rendered(directory, workplace.path / "intact.png", "--frame", "0")
+    check(share(intact, is_red) == 0 and share(intact, is_grey) > 0.1, "the first frame shows no intact block")
+    masses = rendered(directory, workplace.path / "masses.png", "--view", "masses")
+    check(share(masses, lambda p: p != (255, 255, 255)) > 0.02, "the masses cannot be seen")
+
+
+def a_movie_has_every_frame(workplace, quick):
+    del quick
+    directory = workplace.finished(cracking_scene(output={"rate": 50, "surface": True, "crack": True}))
+    movie = rendered(directory, workplace.path / "movie.mp4")
+    frames = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames", "-of",
+                             "csv=p=0", movie], text=True, capture_output=True, check=True).stdout
+    expected = len(list((directory / "frames").glob("surface-*.hdf")))
+    check(int(frames) == expected, f"the movie has {frames.strip()} frames, the run {expected}")
+
+
+def wrong_requests_are_explained(workplace, quick):
+    del quick
+    directory = workplace.finished(cracking_scene(time={"end": 0.001}))
+    for arguments, words in ((["--view", "masses"], "output.masses=true"), (["--frame", "99"], "0 to"),
+                             (["--out", "picture.doc"], "name a .png")):
+        done = render(directory, *arguments)
+        check(done.returncode != 0 and words in done.stderr, f"{arguments} gives:\n{done.stdout}{done.stderr}")
+
+
+if __name__ == "__main__":
+    if "--quick" in sys.argv or not all(map(shutil.which, ("pvpython", "xvfb-run", "ffmpeg"))):
+        print("skipped: quick, or pvpython, xvfb-run or ffmpeg is not installed")
+        sys.exit(SKIPPED)
+    main([every_view_shows_its_colours, a_movie_has_every_frame, wrong_requests_are_explained])

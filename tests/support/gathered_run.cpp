@@ -1,0 +1,50 @@
+#include "support/gathered_run.hpp"
+
+#include <algorithm>
+
+#include "simulation/scene_reader.hpp"
+#include "simulation/simulation.hpp"
+
+namespace cracksim::test {
+
+namespace {
+
+class EventCollector : public simulation::Observer {
+public:
+    void coat(const simulation::Simulation&, const simulation::News& news) override {
+        events.insert(events.end(), news.events.begin(), news.events.end());
+    }
+
+    std::vector<physics::DupletEvent> events;
+};
+
+std::vector<MassMotion> owned_motions(const simulation::Dynamics& dynamics) {
+    const physics::Network& network = dynamics.network();
+    const physics::State& state = dynamics.state();
+    std::vector<MassMotion> motions;
+    for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
+        if (network.owned(entity_of(m))) {
+            const std::size_t slot = state.unions.slot(m).index();
+            motions.push_back({network.mass(m), state.displacement[slot], state.increment[slot]});
+        }
+    }
+    return motions;
+}
+
+}  // namespace
+
+GatheredRun run_gathered(const partition::Communicator& comm, const std::string& scene_text) {
+    const simulation::Scene scene = simulation::read_scene(scene_text, "drawn.yaml", {});
+    simulation::Stopwatch stopwatch;
+    simulation::Simulation simulation{comm, scene, stopwatch};
+    EventCollector collector;
+    simulation.run(collector);
+    GatheredRun run{simulation.certified().step, simulation.certified().steps, simulation.totals().unions,
+                    comm.gather<physics::DupletEvent>(collector.events),
+                    comm.gather<MassMotion>(owned_motions(simulation.dynamics()))};
+    std::ranges::sort(run.events);
+    std::ranges::sort(run.masses, {}, &MassMotion::mass);
+    return run;
+}
+
+}  // namespace cracksim::test

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/vec3.hpp"
+#include "partition/communicator.hpp"
+#include "physics/events.hpp"
+
+namespace cracksim::test {
+
+struct MassMotion {
+    MassId mass;
+    Vec3 displacement;  ///< u, m
+    Vec3 increment;     ///< w, m
+};
+
+/// What a scene's run did. Events and motions are whole on the root and empty elsewhere.
+struct GatheredRun {
+    double step_size;  ///< s
+    std::int64_t steps;
+    std::int64_t unions;                       ///< at the end
+    std::vector<physics::DupletEvent> events;  ///< ascending
+    std::vector<MassMotion> masses;            ///< at the end, ascending
+};
+
+/// Reads the text of a scene and runs it to its end. Collective; throws what reader and run throw.
+[[nodiscard]] GatheredRun run_gathered(const partition::Communicator& comm, const std::string& scene_text);
+
+}  // namespace cracksim::test

@@ -1,0 +1,199 @@
+#include "support/oracle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "support/oracle_block.hpp"
+
+namespace cracksim::oracle {
+
+namespace {
+
+Vector evaluate(const std::array<Field, 3>& field, const Vector& at) {
+    return {field[0](at, 0), field[1](at, 0), field[2](at, 0)};
+}
+
+class Run {
+public:
+    explicit Run(const Scene& scene)
+        : scene_{scene}, duplets_{duplets(scene)}, active_(duplets_.size(), true), union_(mass_count(scene)) {
+        for (std::size_t m = 0; m < mass_count(scene); ++m) {
+            rest_.push_back(rest_position(scene, m));
+            u_.push_back(evaluate(scene.displacement, rest_[m]));
+        }
+        for (const Duplet& duplet : duplets_) {
+            threshold_.push_back(threshold(scene, duplet));
+        }
+        find_unions();
+        start();
+    }
+
+    void sense() {
+        for (std::size_t d = 0; d < duplets_.size(); ++d) {
+            if (active_[d]) {
+                decide(d);
+            }
+        }
+        find_unions();
+    }
+
+    void advance() {
+        const double dt = scene_.step;
+        std::vector<Vector> velocity;
+        for (std::size_t m = 0; m < u_.size(); ++m) {
+            const bool ab2 = scene_.scheme == Scheme::ab2;
+            velocity.push_back(plus(plus({}, (ab2 ? 1.5 : 1) / dt, w_[m]), (ab2 ? -0.5 : 0) / dt, w_before_[m]));
+        }
+        const std::vector<Vector> acceleration = accelerations(velocity);
+        const double middle = (static_cast<double>(step_) + 0.5) * dt;
+        w_before_ = w_;
+        for (std::size_t m = 0; m < u_.size(); ++m) {
+            w_[m] = hold(m, plus(w_before_[m], dt * dt, acceleration[m]), middle);
+            u_[m] = plus(u_[m], 1, w_[m]);
+        }
+        ++step_;
+    }
+
+    [[nodiscard]] Outcome outcome() {
+        outcome_.displacement = u_;
+        outcome_.increment = w_;
+        for (std::size_t m = 0; m < u_.size(); ++m) {
+            outcome_.unions += union_[m] == m ? 1U : 0U;
+        }
+        return outcome_;
+    }
+
+private:
+    /// w(0) = dt v - dt^2 a/2, w(-1) = dt v - 3 dt^2 a/2. The masses of a union rest at one place, so their velocities are equal.
+    void start() {
+        const double dt = scene_.step;
+        std::vector<Vector> velocity;
+        for (const Vector& at : rest_) {
+            velocity.push_back(evaluate(scene_.velocity, at));
+        }
+        const std::vector<Vector> acceleration = accelerations(velocity);
+        for (std::size_t m = 0; m < u_.size(); ++m) {
+            const Vector drift = plus({}, dt, velocity[m]);
+            w_.push_back(hold(m, plus(drift, -0.5 * dt * dt, acceleration[m]), -0.5 * dt));
+            w_before_.push_back(hold(m, plus(drift, -1.5 * dt * dt, acceleration[m]), -1.5 * dt));
+        }
+    }
+
+    /// The sensor of a duplet measures from P to Q, one edge off the shared face on either side.
+    void decide(std::size_t d) {
+        const auto& [a, b, axis] = duplets_[d];
+        const double rest = 2 * scene_.edge[axis];
+        Vector distance = plus(u_[across(b, axis)], -1, u_[across(a, axis)]);
+        distance[axis] += rest;
+        const double stretch = length(distance) / rest - 1;
+        const Decision decision{step_, a, b, std::abs(stretch / threshold_[d] - 1)};
+        outcome_.smallest_margin = std::min(outcome_.smallest_margin, decision.margin);
+        if (stretch > threshold_[d]) {
+            active_[d] = false;
+            outcome_.events.push_back(decision);
+        } else if (decision.margin < 1e-8) {
+            outcome_.near_events.push_back(decision);
+        }
+    }
+
+    /// Floods the unions with their smallest masses, over active duplets, until nothing changes.
+    void find_unions() {
+        std::iota(union_.begin(), union_.end(), std::size_t{0});
+        for (bool changed = true; changed;) {
+            changed = false;
+            for (std::size_t d = 0; d < duplets_.size(); ++d) {
+                std::size_t& a = union_[duplets_[d].a];
+                std::size_t& b = union_[duplets_[d].b];
+                if (active_[d] && a != b) {
+                    a = b = std::min(a, b);
+                    changed = true;
+                }
+            }
+        }
+    }
+
+    /// Corners that differ along one axis span an edge, along all three a diagonal, along two nothing.
+    void interact(std::size_t i, std::size_t j, const std::vector<Vector>& velocity) {
+        Vector rest{};
+        int differing = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::size_t from = corner_place[i % corners][axis];
+            const std::size_t to = corner_place[j % corners][axis];
+            rest[axis] = (static_cast<double>(to) - static_cast<double>(from)) * scene_.edge[axis];
+            differing += from != to ? 1 : 0;
+        }
+        if (differing == 2) {
+            return;
+        }
+        const auto& [k, z] = differing == 1 ? scene_.edges : scene_.diagonals;
+        const Vector d = plus(rest, 1, plus(u_[j], -1, u_[i]));
+        const Vector n = plus({}, 1 / length(d), d);
+        const double tension = k * (length(d) - length(rest)) + z * dot(plus(velocity[j], -1, velocity[i]), n);
+        force_[i] = plus(force_[i], tension, n);
+        force_[j] = plus(force_[j], -tension, n);
+    }
+
+    /// By mass: the force on its union over the mass of its union.
+    [[nodiscard]] std::vector<Vector> accelerations(const std::vector<Vector>& velocity) {
+        force_.assign(u_.size(), {});
+        for (std::size_t i = 0; i < u_.size(); ++i) {
+            for (std::size_t j = i + 1; j / corners == i / corners; ++j) {
+                interact(i, j, velocity);
+            }
+        }
+        std::vector<Vector> force(u_.size());
+        std::vector<double> mass(u_.size());
+        for (std::size_t m = 0; m < u_.size(); ++m) {
+            force[union_[m]] = plus(force[union_[m]], 1, force_[m]);
+            mass[union_[m]] += scene_.mass;
+        }
+        std::vector<Vector> all;
+        for (std::size_t m = 0; m < u_.size(); ++m) {
+            all.push_back(plus({}, 1 / mass[union_[m]], force[union_[m]]));
+        }
+        return all;
+    }
+
+    /// An increment with its held components as prescribed at a time; before 0, on the line through 0 and as long after it.
+    [[nodiscard]] Vector hold(std::size_t mass, Vector increment, double time) const {
+        const Vector& at = rest_[mass];
+        for (const Support& support : scene_.supports) {
+            bool inside = true;
+            for (std::size_t i = 0; i < 3; ++i) {
+                inside = inside && support.lower[i] <= at[i] && at[i] <= support.upper[i];
+            }
+            for (std::size_t i = 0; i < 3; ++i) {
+                if (const Field& v = support.velocity[i]; inside && v) {
+                    increment[i] = scene_.step * (time >= 0 ? v(at, time) : 2 * v(at, 0) - v(at, -time));
+                }
+            }
+        }
+        return increment;
+    }
+
+    const Scene& scene_;
+    std::vector<Duplet> duplets_;
+    std::vector<double> threshold_;   ///< by duplet
+    std::vector<bool> active_;        ///< by duplet
+    std::vector<std::size_t> union_;  ///< by mass: the smallest mass of its union
+    std::vector<Vector> rest_, u_, w_, w_before_, force_;
+    std::int64_t step_{0};
+    Outcome outcome_{{}, {}, std::numeric_limits<double>::infinity(), {}, {}, 0};
+};
+
+}  // namespace
+
+Outcome run(const Scene& scene) {
+    Run run{scene};
+    for (std::int64_t step = 0;; ++step) {
+        run.sense();
+        if (step == scene.steps) {
+            return run.outcome();
+        }
+        run.advance();
+    }
+}
+
+}  // namespace cracksim::oracle

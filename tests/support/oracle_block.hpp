@@ -1,0 +1,53 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "support/oracle.hpp"
+
+namespace cracksim::oracle {
+
+/// a + s b
+inline Vector plus(const Vector& a, double s, const Vector& b) {
+    return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
+}
+inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline double length(const Vector& a) { return std::sqrt(dot(a, a)); }
+
+using Place = std::array<std::size_t, 3>;  ///< in edges
+
+inline constexpr std::size_t corners = 8;
+inline constexpr std::array<Place, corners> corner_place{
+    {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
+
+inline std::size_t entity_count(const Scene& scene) { return scene.cells[0] * scene.cells[1] * scene.cells[2]; }
+inline std::size_t mass_count(const Scene& scene) { return corners * entity_count(scene); }
+
+/// The mass of the same entity at the other end of the edge along an axis.
+inline std::size_t across(std::size_t mass, std::size_t axis) {
+    Place place = corner_place[mass % corners];
+    place[axis] = 1 - place[axis];
+    return mass - mass % corners +
+           static_cast<std::size_t>(std::ranges::find(corner_place, place) - corner_place.begin());
+}
+
+/// Where a mass rests, from the block's lower corner.
+inline Place vertex(const Scene& scene, std::size_t mass) {
+    const std::size_t entity = mass / corners;
+    const auto& [nx, ny, nz] = scene.cells;
+    const Place& corner = corner_place[mass % corners];
+    return {entity % nx + corner[0], entity / nx % ny + corner[1], entity / nx / ny + corner[2]};
+}
+
+inline Vector rest_position(const Scene& scene, std::size_t mass) {
+    const Place at = vertex(scene, mass);
+    Vector position{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        position[i] = scene.origin[i] + static_cast<double>(at[i]) * scene.edge[i];
+    }
+    return position;
+}
+
+}  // namespace cracksim::oracle

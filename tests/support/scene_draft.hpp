@@ -1,0 +1,62 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "support/formula.hpp"
+#include "support/oracle.hpp"
+
+namespace cracksim::test {
+
+/// A scene that is being drawn: text and meaning grow together.
+struct SceneDraft {
+    explicit SceneDraft(std::uint64_t seed) : random{seed} {}
+
+    std::mt19937_64 random;
+    std::ostringstream text;
+    oracle::Scene scene{};
+    std::set<std::string> options;
+    double typical_threshold{0};
+
+    /// In the four digits of its text.
+    double number(double low, double high) {
+        return rounded(std::uniform_real_distribution<double>{low, high}(random));
+    }
+    double magnitude(double low, double high) { return rounded(std::exp(number(std::log(low), std::log(high)))); }
+    double signed_number(double low, double high) { return chance(0.5) ? number(low, high) : -number(low, high); }
+    std::size_t whole(std::size_t low, std::size_t high) {
+        return std::uniform_int_distribution<std::size_t>{low, high}(random);
+    }
+    bool chance(double probability) { return std::bernoulli_distribution{probability}(random); }
+    /// Whether it was drawn; its name, or that of its contrary, is noted.
+    bool option(double probability, const std::string& name, const std::string& contrary) {
+        const bool drawn = chance(probability);
+        options.insert(drawn ? name : contrary);
+        return drawn;
+    }
+
+    [[nodiscard]] double length(std::size_t axis) const {
+        return static_cast<double>(scene.cells[axis]) * scene.edge[axis];
+    }
+    /// A place along an axis, in edges from the lower side of the block.
+    [[nodiscard]] double place(std::size_t axis, double edges) const {
+        return rounded(scene.origin[axis] + edges * scene.edge[axis]);
+    }
+    /// About that of sound, m/s.
+    [[nodiscard]] double speed() const {
+        return std::ranges::min(scene.edge) * std::sqrt(scene.edges.stiffness / scene.mass);
+    }
+};
+
+void draw_block(SceneDraft& draft);
+void draw_matter(SceneDraft& draft);
+void draw_sensors(SceneDraft& draft);
+/// Initial velocity, displacement and supports, at least one of them.
+void draw_loads(SceneDraft& draft);
+
+}  // namespace cracksim::test
