@@ -10,7 +10,7 @@ namespace cracksim::io {
 
 /// What is wrong with an expression, for somebody who does not know muParser; characters count from 1.
 [[nodiscard]] inline std::string explanation(const mu::ParserError& error) {
-    const std::string found = error.GetToken();
+    const std::string& found = error.GetToken();
     const std::string token = "'" + shortened(found.substr(0, found.find_last_not_of(" \n") + 1)) + "'";
     const std::string place = " at character " + std::to_string(error.GetPos() + 1);
     switch (error.GetCode()) {
