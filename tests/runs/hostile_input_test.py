@@ -33,10 +33,14 @@ def rows():
 
 
 def run_in(folder, command, ranks=None):
-    """The finished process, and what it said; without ranks, without mpirun, and then no daemon is needed."""
-    start, alone = (["mpirun", "-n", str(ranks)], {}) if ranks else ([], {"OMPI_MCA_ess_singleton_isolated": "1"})
-    done = subprocess.run([*start, *command], cwd=folder, env={**os.environ, **ENVIRONMENT, **alone}, check=False,
-                          stdin=subprocess.DEVNULL, capture_output=True, timeout=LIMIT)
+    """The finished process, and what it said; without ranks, without mpirun."""
+    with tempfile.TemporaryDirectory(prefix="cracksim-mpi-") as sessions:
+        os.chmod(sessions, 0o1777)
+        # Alone, a rank needs no daemon, but then all that run at a time would make the same directory for Open MPI.
+        alone = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_orte_tmpdir_base": sessions}
+        start, environment = (["mpirun", "-n", str(ranks)], {}) if ranks else ([], alone)
+        done = subprocess.run([*start, *command], cwd=folder, env={**os.environ, **ENVIRONMENT, **environment},
+                              check=False, stdin=subprocess.DEVNULL, capture_output=True, timeout=LIMIT)
     return done, (done.stdout + done.stderr).decode("utf-8", "backslashreplace")
 
 
