@@ -161,13 +161,20 @@ void RunDirectory::check(const partition::Communicator& comm) const {
 RunLock RunDirectory::prepare(const partition::Communicator& comm) const {
     require(comm, comm.is_root() ? problem_of(path_) : std::nullopt);
     std::optional<RunLock> lock;
+    Problem refused;
     on_root(comm, [&] {
-        fs::create_directory(path_);
+        std::error_code error;
+        fs::create_directory(path_, error);
+        if (error) {
+            refused = problem(path_, error.message(), other_directory);
+            return;
+        }
         if (!fs::exists(path_ / marker)) {
             write_text(path_ / marker, marker_text);
         }
         lock = RunLock::take(path_ / marker);
     });
+    require(comm, refused);
     require(comm, comm.is_root() && !lock ? problem_of_lock(path_) : std::nullopt);
     on_root(comm, [&] {
         fs::create_directory(path_ / "frames");

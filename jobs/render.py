@@ -43,13 +43,15 @@ def arguments():
     parser.add_argument("--frame", default="last", help="last, or the number of a frame, from 0")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("picture.png"),
                         help="a picture (.png), or a movie of all frames (.mp4, .webm, .gif)")
-    parser.add_argument("--size", type=size, default="1600x900", help="in pixels, even numbers")
+    parser.add_argument("--size", type=size, default="1600x900", help="in pixels, even numbers up to 8192")
     parser.add_argument("--from", dest="viewpoint", type=direction, default="-0.45,-1,0.95",
                         help="the direction in which the camera stands, such as=-0.45,-1,0.95")
-    parser.add_argument("--fps", type=float, default=25, help="frames a second of a movie")
+    parser.add_argument("--fps", type=frame_rate, default=25, help="frames a second of a movie")
     options = parser.parse_args()
     if options.out.suffix not in [".png", *MOVIES]:
         parser.error(f"--out {options.out}: name a .png, .mp4, .webm or .gif")
+    if not options.out.absolute().parent.is_dir():
+        parser.error(f"--out {options.out}: there is no directory {options.out.parent}")
     if options.out.suffix in MOVIES and not shutil.which("ffmpeg"):
         parser.error(f"--out {options.out}: movies need ffmpeg (Debian package ffmpeg)")
     return options
@@ -57,14 +59,20 @@ def arguments():
 
 def size(text):
     width, height = (int(side) for side in text.split("x"))
-    if width <= 0 or height <= 0 or width % 2 or height % 2:
+    if not (0 < width <= 8192 and 0 < height <= 8192) or width % 2 or height % 2:
         raise ValueError(text)
     return width, height
 
 
+def frame_rate(text):
+    if not 0 < float(text) <= 1000:
+        raise ValueError(text)
+    return float(text)
+
+
 def direction(text):
     x, y, z = (float(part) for part in text.split(","))
-    if x == 0 and y == 0:
+    if not numpy.isfinite([x, y, z]).all() or x == 0 and y == 0:
         raise ValueError(text)
     return numpy.array([x, y, z])
 
@@ -73,7 +81,8 @@ def frame_files(directory, view):
     series = SERIES[view]
     index = directory / f"{series}.hdf.series"
     if not index.is_file():
-        advice = "run with --set output." + series + "=true" if directory.is_dir() else "there is no such directory"
+        advice = f"run with --set output.{series}=true" if directory.is_dir() else "there is no such directory"
+        advice += "; without a crack there are none" if series == "crack" else ""
         fail(f"{directory} has no {series} frames for the view {view}: {advice}")
     return [directory / entry["name"] for entry in json.loads(index.read_text(encoding="utf-8"))["files"]]
 

@@ -69,7 +69,7 @@ void announce(io::Log& log, const CommandLine& command, const Scene& scene, cons
 /// The most entities that --dry-run builds: some seconds, some hundred megabytes.
 constexpr std::int64_t most_built_to_forecast = 1'000'000;
 
-/// What building the block would refuse.
+/// What building the block would refuse, known without building it.
 void check_unbuilt(const Scene& scene, int ranks) {
     check_size(scene.block, ranks);
     const auto refusal = partition::metis_refusal(scene.block);
@@ -115,6 +115,7 @@ int execute(const partition::Communicator& comm, const CommandLine& command) {
     const Scene scene = read_scene(read_input(comm, command.input), command.input.string(), command.settings);
     directory.check(comm);
     const CertifiedStep certified = certify_step(scene);
+    check_unbuilt(scene, comm.size());
     const Forecast estimated = estimate(scene, certified, machine);
     if (!command.dry_run) {
         check_memory(scene, estimated, machine);
@@ -123,7 +124,6 @@ int execute(const partition::Communicator& comm, const CommandLine& command) {
         log.warn(*warning);
     }
     if (command.dry_run && scene.block.entity_count() > most_built_to_forecast) {
-        check_unbuilt(scene, comm.size());
         announce(log, command, scene, certified, comm.size(), estimated);
         tell(log, dry_run_lines(estimated, false));
         return 0;

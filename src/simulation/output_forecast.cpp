@@ -1,5 +1,7 @@
 #include "simulation/output_forecast.hpp"
 
+#include <algorithm>
+
 #include "core/hexahedron.hpp"
 #include "io/event_writer.hpp"
 #include "io/history_writer.hpp"
@@ -51,16 +53,27 @@ std::int64_t times(const Schedule& schedule, std::int64_t last) {
     return schedule.due_until(last) + (schedule.is_due(0) ? 0 : 1) + (schedule.is_due(last) || last == 0 ? 0 : 1);
 }
 
-/// A coat is brought up to date at its rate and for each frame.
+/// A coat is brought up to date at its rate and for each frame. Where that is very often, it is not counted which times are common:
+/// as if the rarer of the two never came alone.
 std::int64_t coats(const Schedule& coat, double coat_rate, const Schedule& frame, std::int64_t last) {
     std::int64_t count = times(frame, last);
     if (!(coat_rate > 0)) {
         return count;
     }
+    constexpr std::int64_t most_counted = 1'000'000;
+    if (const std::int64_t due = times(coat, last); due > most_counted) {
+        return std::max(count, due);
+    }
     for (std::int64_t step = coat.next_due(0); step < last; step = coat.next_due(step)) {
         count += frame.is_due(step) ? 0 : 1;
     }
     return count;
+}
+
+/// A product of bytes, at most so much that a few of them can be added.
+std::int64_t capped_product(std::int64_t times, std::int64_t bytes) {
+    constexpr std::int64_t most = std::int64_t{1} << 60;
+    return static_cast<double>(times) * static_cast<double>(bytes) < static_cast<double>(most) ? times * bytes : most;
 }
 
 /// Which end of a range.
@@ -79,7 +92,7 @@ std::int64_t series_bytes(const SeriesForecast& series, std::int64_t later, End 
     typical.record.time = 1.0 / 3.0;
     typical.record.faces = series.faces.*end;
     typical.record.points = series.points.*end;
-    return series.frame_bytes.intact + later * series.frame_bytes.*end +
+    return series.frame_bytes.intact + capped_product(later, series.frame_bytes.*end) +
            io::index_bytes(series.name, typical, frames_written(series, later, end));
 }
 

@@ -93,6 +93,8 @@ COMMANDS = [
      "cannot write to " + LONG + ": File name too long; name another directory with --out"),
     ("directory where none can be made", ["scene.yaml", "--out", "/proc/self/out"],
      "cannot write to /proc/self/out: nothing can be created in /proc/self; name another directory with --out"),
+    ("directory that the system does not make", ["scene.yaml", "--out", "/proc/out"],
+     "cannot write to /proc/out: No such file or directory; name another directory with --out"),
     ("no setting", ["scene.yaml", "--set"], "--set: needs key.path=value after it; time.end=0.5 sets the end to 0.5 s"),
     ("empty setting", ["scene.yaml", "--set", ""],
      "--set: needs key.path=value after it; time.end=0.5 sets the end to 0.5 s"),

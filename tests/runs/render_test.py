@@ -86,7 +86,8 @@ def wrong_requests_are_explained(workplace, quick):
     del quick
     directory = workplace.finished(cracking_scene(time={"end": 0.001}))
     for arguments, words in ((["--view", "masses"], "output.masses=true"), (["--frame", "99"], "0 to"),
-                             (["--out", "picture.doc"], "name a .png")):
+                             (["--out", "picture.doc"], "name a .png"), (["--out", "none/a.png"], "no directory none"),
+                             (["--fps", "0"], "--fps"), (["--from=nan,1,1"], "--from"), (["--size", "99999x9"], "--size")):
         done = render(directory, *arguments)
         check(done.returncode != 0 and words in done.stderr, f"{arguments} gives:\n{done.stdout}{done.stderr}")
 

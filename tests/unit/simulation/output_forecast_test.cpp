@@ -31,6 +31,16 @@ TEST(OutputForecast, CountsTheTimesOfTheRatesWithTheFirstAndTheLast) {
     EXPECT_EQ(forecast({"output.rate=1e5", "coat.rate=1e5"}).coats, 1001);
 }
 
+TEST(OutputForecast, IsThereAtOnceAndAboveNothingForTheLongestRuns) {
+    const OutputForecast longest = forecast({"time.end=9e11", "output.rate=1e300", "coat.rate=3e-3"});
+    EXPECT_NEAR(static_cast<double>(longest.frames), 9e14, 9e5);
+    EXPECT_EQ(longest.coats, longest.frames);
+    EXPECT_GT(longest.bytes.intact, longest.frames);
+    EXPECT_GE(longest.bytes.broken, longest.bytes.intact);
+    const OutputForecast rare = forecast({"time.end=9e11", "output.rate=0", "coat.rate=1e-3"});
+    EXPECT_NEAR(static_cast<double>(rare.coats), 9e8, 9);
+}
+
 TEST(OutputForecast, CountsFacesAndPointsOfBothEnds) {
     const auto series = forecast({"output.masses=true", "output.topology=true"}).series;
     ASSERT_EQ(series.size(), 4U);
