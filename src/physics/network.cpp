@@ -161,7 +161,7 @@ void Network::set_thresholds(const Thresholds& thresholds) {
     threshold_.assign(interfaces_.size() * duplets_per_interface, std::numeric_limits<double>::quiet_NaN());
     for (std::size_t i = 0; i < interfaces_.size(); ++i) {
         for (int k = 0; k < duplets_per_interface; ++k) {
-            if ((static_cast<unsigned>(touched_duplets_[i]) >> static_cast<unsigned>(k) & 1U) == 0) {
+            if (!has_touched_duplet(static_cast<std::int32_t>(i), k)) {
                 continue;
             }
             const LocalMass a = local_mass(interfaces_[i].a, interfaces_[i].corner_a(k));

@@ -95,6 +95,9 @@ public:
     [[nodiscard]] std::uint8_t touched_duplets(std::int32_t interface) const {
         return touched_duplets_[static_cast<std::size_t>(interface)];
     }
+    [[nodiscard]] bool has_touched_duplet(std::int32_t interface, int k) const {
+        return ((static_cast<unsigned>(touched_duplets(interface)) >> static_cast<unsigned>(k)) & 1U) != 0;
+    }
 
     [[nodiscard]] std::size_t union_count() const { return union_begin_.size() - 1; }
     /// Masses of a touched union, ascending. Unions stand in the order of their vertices.

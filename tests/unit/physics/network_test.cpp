@@ -27,7 +27,7 @@ std::set<Pair> duplets_of(const Network& network) {
     std::set<Pair> found;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interfaces().size()); ++i) {
         for (int k = 0; k < Network::duplets_per_interface; ++k) {
-            if ((network.touched_duplets(i) >> k & 1) != 0) {
+            if (network.has_touched_duplet(i, k)) {
                 const auto [a, b] = masses_of(network, LocalDuplet{i * Network::duplets_per_interface + k});
                 found.emplace(std::min(a, b).value(), std::max(a, b).value());
             }

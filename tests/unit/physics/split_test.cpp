@@ -43,7 +43,7 @@ std::set<LocalDuplet> missing(const Network& network) {
     std::set<LocalDuplet> found;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interfaces().size()); ++i) {
         for (int k = 0; k < Network::duplets_per_interface; ++k) {
-            if ((network.touched_duplets(i) >> k & 1) == 0) {
+            if (!network.has_touched_duplet(i, k)) {
                 found.emplace(i * Network::duplets_per_interface + k);
             }
         }
