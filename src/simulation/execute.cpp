@@ -1,5 +1,7 @@
 #include "simulation/execute.hpp"
 
+#include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -78,38 +80,55 @@ void check_unbuilt(const Scene& scene, int ranks) {
     }
 }
 
+/// What there is of a run that an error ended, as far as it can still be written: the error itself is told already. Collective.
+void leave_stopped(const partition::Communicator& comm, const std::filesystem::path& file, io::Summary summary,
+                   const SharedError& error, RunFiles& files) {
+    summary.status = io::Status::stopped;
+    summary.error = error.what();
+    for (const std::function<void()>& write : std::initializer_list<std::function<void()>>{
+             [&] { io::on_root(comm, [&] { io::write_summary(file, summary); }); }, [&] { files.finish(); }}) {
+        try {
+            write();
+        } catch (const SharedError&) {
+        }
+    }
+}
+
 /// Returns the exit code.
 int run_with_files(const partition::Communicator& comm, Simulation& simulation, const Forecast& forecast,
                    const io::RunDirectory& directory, io::Log& log, ProgressStyle style) {
     Progress progress{log, style};
     RunFiles files{simulation, directory, progress};
+    const std::filesystem::path file = directory.file("summary.json");
     const auto write = [&](const io::Summary& summary) {
-        io::on_root(comm, [&] { io::write_summary(directory.file("summary.json"), summary); });
+        io::on_root(comm, [&] { io::write_summary(file, summary); });
     };
     try {
         simulation.run(files);
+        files.finish();
     } catch (const InvalidRun& invalid) {
         log.error(invalid.what());
         files.finish();
-        write(summarize(simulation, forecast, files.frames(), &invalid));
+        io::Summary summary = summarize(simulation, forecast, files.frames());
+        summary.status = io::Status::invalid;
+        summary.invalid = {invalid.step(), invalid.mass(), invalid.what()};
+        write(summary);
         throw;
     } catch (const SharedError& error) {
         log.error(error.what());
+        leave_stopped(comm, file, summarize(simulation, forecast, files.frames()), error, files);
         return 1;
     }
-    files.finish();
-    const io::Summary summary = summarize(simulation, forecast, files.frames(), nullptr);
+    const io::Summary summary = summarize(simulation, forecast, files.frames());
     write(summary);
     tell(log, closing_lines(summary, directory.path().string()));
     return 0;
 }
 
-}  // namespace
-
-int execute(const partition::Communicator& comm, const CommandLine& command) {
+/// Returns the exit code.
+int follow(const partition::Communicator& comm, const CommandLine& command, io::Log& log) {
     physics::limit_simd_target(comm.min(physics::best_simd_target()));
     Stopwatch stopwatch;
-    io::Log log{comm, command.quiet};
     const Machine machine = look_around(comm);
     const io::RunDirectory directory{command.directory()};
     const Scene scene = read_scene(read_input(comm, command.input), command.input.string(), command.settings);
@@ -148,6 +167,25 @@ int execute(const partition::Communicator& comm, const CommandLine& command) {
                  " cannot lock files: no other run may write there meanwhile");
     }
     return run_with_files(comm, *simulation, found, directory, log, command.progress);
+}
+
+/// The exit code when all is said: what could not be said is no success. Collective.
+int closing_code(const partition::Communicator& comm, const io::Log& log, int code) {
+    const bool unsaid = comm.any(log.lost_terminal());
+    return unsaid && code == 0 ? 1 : code;
+}
+
+}  // namespace
+
+int answer(const partition::Communicator& comm, const Answer& given) {
+    io::Log log{comm, false};
+    log.info(given.text.substr(0, given.text.find_last_not_of('\n') + 1));
+    return closing_code(comm, log, given.exit_code);
+}
+
+int execute(const partition::Communicator& comm, const CommandLine& command) {
+    io::Log log{comm, command.quiet};
+    return closing_code(comm, log, follow(comm, command, log));
 }
 
 }  // namespace cracksim::simulation
