@@ -115,8 +115,8 @@ struct Expression::Formula {
     mu::Parser parser;
 };
 
-// A parser takes 8 kB and 40 us to make, and a scene may hold 90,000 expressions of which a run evaluates few: one parser
-// examines them all.
+// A parser takes kilobytes, and longer to make than a formula to read. A scene may hold 90,000 expressions, of which a run
+// evaluates few: one parser examines them all.
 Expression::Examined Expression::examine(const std::string& text) {
     thread_local Formula formula;
     formula.variables = {};

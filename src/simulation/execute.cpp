@@ -1,7 +1,6 @@
 #include "simulation/execute.hpp"
 
 #include <functional>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -80,18 +79,42 @@ void check_unbuilt(const Scene& scene, int ranks) {
     }
 }
 
-/// What there is of a run that an error ended, as far as it can still be written: the error itself is told already. Collective.
-void leave_stopped(const partition::Communicator& comm, const std::filesystem::path& file, io::Summary summary,
-                   const SharedError& error, RunFiles& files) {
+/// A run whose end is to be told.
+struct Ending {
+    const partition::Communicator& comm;
+    const Simulation& simulation;
+    const Forecast& forecast;
+    const std::filesystem::path file;
+    RunFiles& files;
+
+    [[nodiscard]] io::Summary summary() const { return summarize(simulation, forecast, files.frames()); }
+    void write(const io::Summary& summary) const {
+        io::on_root(comm, [&] { io::write_summary(file, summary); });
+    }
+};
+
+void leave_invalid(const Ending& ending, const InvalidRun& invalid) {
+    ending.files.finish();
+    io::Summary summary = ending.summary();
+    summary.status = io::Status::invalid;
+    summary.invalid = {invalid.step(), invalid.mass(), invalid.what()};
+    ending.write(summary);
+}
+
+/// Does what can be done on a disk that may be full: why the run ended is told already.
+void if_possible(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const SharedError&) {
+    }
+}
+
+void leave_stopped(const Ending& ending, const SharedError& error) {
+    io::Summary summary = ending.summary();
     summary.status = io::Status::stopped;
     summary.error = error.what();
-    for (const std::function<void()>& write : std::initializer_list<std::function<void()>>{
-             [&] { io::on_root(comm, [&] { io::write_summary(file, summary); }); }, [&] { files.finish(); }}) {
-        try {
-            write();
-        } catch (const SharedError&) {
-        }
-    }
+    if_possible([&] { ending.write(summary); });
+    if_possible([&] { ending.files.finish(); });
 }
 
 /// Returns the exit code.
@@ -99,28 +122,21 @@ int run_with_files(const partition::Communicator& comm, Simulation& simulation, 
                    const io::RunDirectory& directory, io::Log& log, ProgressStyle style) {
     Progress progress{log, style};
     RunFiles files{simulation, directory, progress};
-    const std::filesystem::path file = directory.file("summary.json");
-    const auto write = [&](const io::Summary& summary) {
-        io::on_root(comm, [&] { io::write_summary(file, summary); });
-    };
+    const Ending ending{comm, simulation, forecast, directory.file("summary.json"), files};
     try {
         simulation.run(files);
         files.finish();
     } catch (const InvalidRun& invalid) {
         log.error(invalid.what());
-        files.finish();
-        io::Summary summary = summarize(simulation, forecast, files.frames());
-        summary.status = io::Status::invalid;
-        summary.invalid = {invalid.step(), invalid.mass(), invalid.what()};
-        write(summary);
+        leave_invalid(ending, invalid);
         throw;
     } catch (const SharedError& error) {
         log.error(error.what());
-        leave_stopped(comm, file, summarize(simulation, forecast, files.frames()), error, files);
+        leave_stopped(ending, error);
         return 1;
     }
-    const io::Summary summary = summarize(simulation, forecast, files.frames());
-    write(summary);
+    const io::Summary summary = ending.summary();
+    ending.write(summary);
     tell(log, closing_lines(summary, directory.path().string()));
     return 0;
 }
