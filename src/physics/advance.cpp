@@ -142,13 +142,10 @@ public:
         remember(row);
         const auto index = static_cast<std::int32_t>(row);
         for (int plane = 0; plane < planes; ++plane) {
-            if (double* chunk = state_->motion.chunk(index, plane)) {
-                AdvanceView view{chunk,
-                                 state_->motion.stride(index),
-                                 static_cast<std::size_t>(state_->lattice().vertex_rows()[row].length),
-                                 state_->scheme == Scheme::ab2,
-                                 longest_,
-                                 broken_};
+            Chunk& chunk = state_->motion.chunk(index, plane);
+            if (chunk.advances) {
+                AdvanceView view{chunk.values.data(), chunk.stride, static_cast<std::size_t>(chunk.length),
+                                 state_->scheme == Scheme::ab2, longest_, broken_};
                 HWY_DYNAMIC_DISPATCH(Advance)(view);
                 broken_ = view.broken;
             }

@@ -16,9 +16,10 @@ namespace cracksim::physics::HWY_NAMESPACE {
 
 /// The lower and the upper corner along x on each side of an entity.
 constexpr std::array<std::array<int, 2>, Lattice::sides> corners_of_side{{{0, 1}, {3, 2}, {4, 5}, {7, 6}}};
-/// What an entity inside an intact block carries: the edges at its corner 6, and its diagonals.
-using PlainInteractions = std::index_sequence<3, 7, 10, 12, 13, 14, 15>;
-constexpr unsigned plain_mask = 1U << 3 | 1U << 7 | 1U << 10 | 0xfU << 12;
+/// What entities of an intact block carry: inside, the edges at their corner 6 and their diagonals; at the start of a row, two edges
+/// more.
+using InsideRow = std::index_sequence<3, 7, 10, 12, 13, 14, 15>;
+using StartOfRow = std::index_sequence<3, 6, 7, 10, 11, 12, 13, 14, 15>;
 using AllInteractions = std::make_index_sequence<HexahedronPairs::count>;
 
 HWY_INLINE Outcome Nothing() {
@@ -39,12 +40,33 @@ HWY_INLINE V Weight(const std::uint8_t* weights, std::size_t interaction) {
     return Bytes(weights + interaction * Lattice::lanes);
 }
 
-HWY_INLINE void ClearForces(Corners& x) {
+/// The corners of some entities: displacements, what damping takes for their increments, and the forces summed so far.
+struct Corners {
+    V3 u[Hexahedron::corners];
+    V3 w[Hexahedron::corners];
+    V3 f[Hexahedron::corners];
+};
+
+HWY_INLINE V3 Zero3() {
     const D d;
-    for (auto& corner : x.f) {
-        for (V& component : corner) {
-            component = hn::Zero(d);
-        }
+    return {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+}
+
+HWY_INLINE V3 Load3(const double* from, std::size_t stride) {
+    const D d;
+    return {hn::LoadU(d, from), hn::LoadU(d, from + stride), hn::LoadU(d, from + 2 * stride)};
+}
+
+HWY_INLINE void Store3(const V3& v, double* to, std::size_t stride) {
+    const D d;
+    hn::StoreU(v.x, d, to);
+    hn::StoreU(v.y, d, to + stride);
+    hn::StoreU(v.z, d, to + 2 * stride);
+}
+
+HWY_INLINE void ClearForces(Corners& x) {
+    for (V3& corner : x.f) {
+        corner = Zero3();
     }
 }
 
@@ -61,11 +83,14 @@ struct RowSums {
     V elastic;
 };
 
+template <bool kMeasure>
 HWY_INLINE void Collect(const Outcome& outcome, const std::uint8_t* weights, std::size_t lane, unsigned (&exceeded)[3],
                         RowSums& sums) {
     const V owned = Weight(weights, HexahedronPairs::count);
     sums.dissipated = hn::MulAdd(owned, outcome.dissipated, sums.dissipated);
-    sums.elastic = hn::MulAdd(owned, outcome.elastic, sums.elastic);
+    if constexpr (kMeasure) {
+        sums.elastic = hn::MulAdd(owned, outcome.elastic, sums.elastic);
+    }
     for (int axis = 0; axis < 3; ++axis) {
         exceeded[axis] |= Bits(outcome.exceeded[axis]) << lane;
     }
@@ -76,13 +101,13 @@ HWY_INLINE bool IsFar(const Outcome& outcome) {
     return HWY_UNLIKELY(!hn::AllTrue(d, hn::Le(outcome.farthest, hn::Set(d, Series::reach))));
 }
 
-template <bool kFar, bool kMeasure, std::size_t... I>
-HWY_INLINE void AddPlain(const SweepView& v, const std::uint8_t* weights, const float* limits, Corners& x,
-                         Outcome& outcome, std::index_sequence<I...>) {
-    const D d;
-    (AddInteraction<I, kFar, kMeasure>(
-         v.interaction[I], I < HexahedronPairs::edges ? Weight(weights, I) : hn::Set(d, 1.0), limits, x, outcome),
-     ...);
+template <std::size_t I, bool kFar, bool kMeasure>
+HWY_INLINE void AddInteraction(const SweepView& v, V weight, const float* limits, Corners& x, Outcome& outcome) {
+    constexpr auto a = static_cast<std::size_t>(HexahedronPairs::corners[I][0]);
+    constexpr auto b = static_cast<std::size_t>(HexahedronPairs::corners[I][1]);
+    const Pull pull = PullOf<I, false, kFar, kMeasure>(v.interaction[I], Sub(x.u[b], x.u[a]), Sub(x.w[b], x.w[a]), weight, limits, outcome);
+    x.f[a] = Plus(pull, x.f[a]);
+    x.f[b] = Minus(pull, x.f[b]);
 }
 
 template <bool kFar, bool kMeasure, std::size_t... I>
@@ -90,7 +115,7 @@ HWY_INLINE void AddCarried(const SweepView& v, unsigned carried, const std::uint
                            Corners& x, Outcome& outcome, std::index_sequence<I...>) {
     const auto add = [&](auto i) {
         if ((carried >> i & 1U) != 0) {
-            AddInteraction<i, kFar, kMeasure>(v.interaction[i], Weight(weights, i), limits, x, outcome);
+            AddInteraction<i, kFar, kMeasure>(v, Weight(weights, i), limits, x, outcome);
         }
     };
     (add(std::integral_constant<std::size_t, I>{}), ...);
@@ -119,61 +144,168 @@ HWY_INLINE V Shifted(V upper, V& from_before) {
     return shifted;
 }
 
-/// Batches in a row whose unions are all whole and that carry what the inside of an intact block does.
-template <bool kMeasure>
-void SweepPlain(SweepView& v, const RowView& row, std::size_t begin, std::size_t end, RowSums& sums) {
+/// The entities of a plain batch: their corners are loaded where they are needed, for there are too many to be kept in registers.
+struct PlainCorners {
+    const double* side[Lattice::sides];  ///< the lower corners' u in the chunks
+    std::size_t stride;
+    std::size_t velocity;  ///< from u to what damping takes for w
+
+    template <std::size_t C>
+    HWY_INLINE V3 Displacement() const {
+        return Load3(Place<C>(), stride);
+    }
+    template <std::size_t C>
+    HWY_INLINE V3 VelocityIncrement() const {
+        return Load3(Place<C>() + velocity, stride);
+    }
+
+private:
+    template <std::size_t C>
+    HWY_INLINE const double* Place() const {
+        const double* place = side[Lattice::side(C)];
+        // What the compiler believes to be another place it loads again, instead of keeping it on the stack.
+        asm("" : "+r"(place));
+        return place + Lattice::along(C);
+    }
+};
+
+/// The forces summed so far, by corner; a first contribution needs no sum.
+struct PlainForces {
+    V3 f[Hexahedron::corners];
+
+    template <std::size_t C, bool kFirst>
+    HWY_INLINE void Pull1(const Pull& pull) {
+        f[C] = kFirst ? V3{hn::Mul(pull.factor, pull.distance.x), hn::Mul(pull.factor, pull.distance.y), hn::Mul(pull.factor, pull.distance.z)} : Plus(pull, f[C]);
+    }
+    template <std::size_t C, bool kFirst>
+    HWY_INLINE void Pull2(const Pull& pull) {
+        f[C] = Minus(pull, kFirst ? Zero3() : f[C]);
+    }
+};
+
+template <std::size_t... I>
+constexpr unsigned mask_of(std::index_sequence<I...>) {
+    return ((1U << I) | ...);
+}
+
+/// No interaction of the list before this one has the corner, too.
+constexpr bool is_first(unsigned list, std::size_t interaction, int corner) {
+    for (std::size_t i = 0; i < interaction; ++i) {
+        const auto& pair = HexahedronPairs::corners[i];
+        if ((list >> i & 1U) != 0 && (pair[0] == corner || pair[1] == corner)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// kFull: no lane is void.
+template <std::size_t I, unsigned kList, bool kFull, bool kMeasure>
+HWY_INLINE void AddPlain(const SweepView& v, const PlainCorners& x, const std::uint8_t* weights, const float* limits,
+                         PlainForces& forces, Outcome& outcome) {
     const D d;
-    double* base[Lattice::sides];
-    V from_before[Lattice::sides][3];
-    for (std::size_t side = 0; side < Lattice::sides; ++side) {
-        base[side] = row.chunk[side][UnionTable::base_plane] + row.offset[side];
-        for (V& component : from_before[side]) {
-            component = hn::Zero(d);
+    constexpr auto a = static_cast<std::size_t>(HexahedronPairs::corners[I][0]);
+    constexpr auto b = static_cast<std::size_t>(HexahedronPairs::corners[I][1]);
+    const V weight = kFull && I >= HexahedronPairs::edges ? hn::Set(d, 1.0) : Weight(weights, I);
+    constexpr bool all_weigh = kFull && kList == mask_of(InsideRow{});
+    const V3 du = Sub(x.Displacement<b>(), x.Displacement<a>());
+    const V3 dw = Sub(x.VelocityIncrement<b>(), x.VelocityIncrement<a>());
+    const Pull pull = PullOf<I, all_weigh, false, kMeasure>(v.interaction[I], du, dw, weight, limits, outcome);
+    forces.template Pull1<a, is_first(kList, I, a)>(pull);
+    forces.template Pull2<b, is_first(kList, I, b)>(pull);
+}
+
+template <bool kFull, bool kMeasure, std::size_t... I>
+HWY_INLINE void AddAllPlain(const SweepView& v, const PlainCorners& x, const std::uint8_t* weights, const float* limits,
+                            PlainForces& forces, Outcome& outcome, std::index_sequence<I...> list) {
+    (AddPlain<I, mask_of(decltype(list){}), kFull, kMeasure>(v, x, weights, limits, forces, outcome), ...);
+}
+
+template <std::size_t... C>
+HWY_INLINE void LoadAll(const PlainCorners& from, Corners& x, std::index_sequence<C...>) {
+    ((x.u[C] = from.Displacement<C>(), x.w[C] = from.VelocityIncrement<C>()), ...);
+}
+
+template <bool kMeasure>
+HWY_NOINLINE void PlainFar(const SweepView& v, unsigned carried, const PlainCorners& from, const std::uint8_t* weights, const float* limits,
+                           PlainForces& forces, Outcome& outcome) {
+    Corners x;
+    LoadAll(from, x, std::make_index_sequence<Hexahedron::corners>{});
+    AddFar<kMeasure>(v, carried, weights, limits, x, outcome);
+    std::copy(std::begin(x.f), std::end(x.f), std::begin(forces.f));
+}
+
+/// What each side's upper corners hand on to the next vector.
+struct HandedOn {
+    V3 side[Lattice::sides];
+};
+
+template <std::size_t kSide>
+HWY_INLINE void AddSide(const PlainForces& forces, double* force, std::size_t stride, HandedOn& before) {
+    constexpr auto low = static_cast<std::size_t>(corners_of_side[kSide][0]);
+    constexpr auto high = static_cast<std::size_t>(corners_of_side[kSide][1]);
+    const V3 sum = Load3(force, stride);
+    const V3 upper{Shifted(forces.f[high].x, before.side[kSide].x), Shifted(forces.f[high].y, before.side[kSide].y),
+                   Shifted(forces.f[high].z, before.side[kSide].z)};
+    const V3& lower = forces.f[low];
+    Store3({hn::Add(hn::Add(sum.x, upper.x), lower.x), hn::Add(hn::Add(sum.y, upper.y), lower.y),
+            hn::Add(hn::Add(sum.z, upper.z), lower.z)},
+           force, stride);
+}
+
+/// Some batches of a row in which all unions are whole.
+struct PlainRun {
+    double* side[Lattice::sides];  ///< where the lower corners of the row's first entity are
+    std::size_t stride;
+    HandedOn before;
+};
+
+/// A batch of a run, with a known list of interactions.
+template <class List, bool kFull, bool kMeasure>
+HWY_NOINLINE void SweepPlain(SweepView& v, PlainRun& run, std::size_t batch, std::size_t b, RowSums& sums) {
+    const D d;
+    const std::size_t stride = run.stride;
+    unsigned exceeded[3] = {0, 0, 0};
+    for (std::size_t lane = 0; lane < Lattice::lanes; lane += hn::Lanes(d)) {
+        const std::size_t at = batch * Lattice::lanes + lane;
+        const std::uint8_t* weights = v.weights + b * Merging::bytes_per_batch + lane;
+        const float* limits = v.limits + b * 3 * Lattice::lanes + lane;
+        const PlainCorners x{{run.side[0] + at, run.side[1] + at, run.side[2] + at, run.side[3] + at},
+                             stride,
+                             v.velocity_quantity * stride};
+        PlainForces forces;
+        Outcome outcome = Nothing();
+        AddAllPlain<kFull, kMeasure>(v, x, weights, limits, forces, outcome, List{});
+        if (IsFar(outcome)) {
+            PlainFar<kMeasure>(v, mask_of(List{}), x, weights, limits, forces, outcome);
         }
+        const std::size_t force = Quantity::force * stride + at;
+        AddSide<0>(forces, run.side[0] + force, stride, run.before);
+        AddSide<1>(forces, run.side[1] + force, stride, run.before);
+        AddSide<2>(forces, run.side[2] + force, stride, run.before);
+        AddSide<3>(forces, run.side[3] + force, stride, run.before);
+        Collect<kMeasure>(outcome, weights, lane, exceeded, sums);
     }
-    for (std::size_t batch = begin; batch < end; ++batch) {
-        const std::size_t b = row.first_batch + batch;
-        unsigned exceeded[3] = {0, 0, 0};
-        for (std::size_t lane = 0; lane < Lattice::lanes; lane += hn::Lanes(d)) {
-            const std::size_t at = batch * Lattice::lanes + lane;
-            const std::uint8_t* weights = v.weights + b * Merging::bytes_per_batch + lane;
-            const float* limits = v.limits + b * 3 * Lattice::lanes + lane;
-            Corners x;
-            for (std::size_t side = 0; side < Lattice::sides; ++side) {
-                const auto [low, high] = corners_of_side[side];
-                for (std::size_t i = 0; i < 3; ++i) {
-                    const double* u = base[side] + i * row.stride[side] + at;
-                    const double* w = base[side] + (v.velocity_quantity + i) * row.stride[side] + at;
-                    x.u[low][i] = hn::LoadU(d, u);
-                    x.u[high][i] = hn::LoadU(d, u + 1);
-                    x.w[low][i] = hn::LoadU(d, w);
-                    x.w[high][i] = hn::LoadU(d, w + 1);
-                }
-            }
-            ClearForces(x);
-            Outcome outcome = Nothing();
-            AddPlain<false, kMeasure>(v, weights, limits, x, outcome, PlainInteractions{});
-            if (IsFar(outcome)) {
-                AddFar<kMeasure>(v, plain_mask, weights, limits, x, outcome);
-            }
-            for (std::size_t side = 0; side < Lattice::sides; ++side) {
-                const auto [low, high] = corners_of_side[side];
-                for (std::size_t i = 0; i < 3; ++i) {
-                    double* f = base[side] + (Quantity::force + i) * row.stride[side] + at;
-                    const V before = hn::Add(hn::LoadU(d, f), Shifted(x.f[high][i], from_before[side][i]));
-                    hn::StoreU(hn::Add(before, x.f[low][i]), d, f);
-                }
-            }
-            Collect(outcome, weights, lane, exceeded, sums);
-        }
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            v.exceeded[b * 3 + axis] = static_cast<std::uint8_t>(exceeded[axis]);
-        }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        v.exceeded[b * 3 + axis] = static_cast<std::uint8_t>(exceeded[axis]);
     }
+}
+
+PlainRun BeginRun(const RowView& row) {
+    PlainRun run{{}, row.stride[0][base_plane], {{Zero3(), Zero3(), Zero3(), Zero3()}}};
     for (std::size_t side = 0; side < Lattice::sides; ++side) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            base[side][(Quantity::force + i) * row.stride[side] + end * Lattice::lanes] += hn::GetLane(from_before[side][i]);
-        }
+        run.side[side] = row.chunk[side][base_plane] + row.offset[side];
+    }
+    return run;
+}
+
+/// What the last upper corners of a run hand on goes to the vertices after it.
+void EndRun(const PlainRun& run, std::size_t end) {
+    for (std::size_t side = 0; side < Lattice::sides; ++side) {
+        double* force = run.side[side] + Quantity::force * run.stride + end * Lattice::lanes;
+        force[0] += hn::GetLane(run.before.side[side].x);
+        force[run.stride] += hn::GetLane(run.before.side[side].y);
+        force[2 * run.stride] += hn::GetLane(run.before.side[side].z);
     }
 }
 
@@ -188,6 +320,12 @@ struct BatchPlaces {
         const std::size_t side = Lattice::side(static_cast<int>(corner));
         return row->chunk[side][planes[corner]] + place(corner);
     }
+    [[nodiscard]] std::size_t stride(std::size_t corner) const {
+        return row->stride[Lattice::side(static_cast<int>(corner))][planes[corner]];
+    }
+    [[nodiscard]] std::size_t stride_of_lane(std::size_t corner, std::size_t lane) const {
+        return row->stride[Lattice::side(static_cast<int>(corner))][lane_planes[corner * Lattice::lanes + lane]];
+    }
     [[nodiscard]] double* of_lane(std::size_t corner, std::size_t lane) const {
         const std::size_t side = Lattice::side(static_cast<int>(corner));
         return row->chunk[side][lane_planes[corner * Lattice::lanes + lane]] + place(corner) + lane;
@@ -196,61 +334,53 @@ struct BatchPlaces {
         return row->offset[Lattice::side(static_cast<int>(corner))] + at +
                static_cast<std::size_t>(Lattice::along(static_cast<int>(corner)));
     }
-    [[nodiscard]] std::size_t stride(std::size_t corner) const {
-        return row->stride[Lattice::side(static_cast<int>(corner))];
-    }
 };
 
 HWY_INLINE void LoadCorner(const SweepView& v, const BatchPlaces& places, std::size_t c, std::size_t lane, Corners& x) {
     const D d;
-    const std::size_t stride = places.stride(c);
     if (places.planes[c] != UnionTable::mixed) {
         const double* from = places.uniform(c) + lane;
-        for (std::size_t i = 0; i < 3; ++i) {
-            x.u[c][i] = hn::LoadU(d, from + i * stride);
-            x.w[c][i] = hn::LoadU(d, from + (v.velocity_quantity + i) * stride);
-        }
+        const std::size_t stride = places.stride(c);
+        x.u[c] = Load3(from, stride);
+        x.w[c] = Load3(from + v.velocity_quantity * stride, stride);
         return;
     }
     HWY_ALIGN double gathered[6][Lattice::lanes];
     for (std::size_t l = 0; l < hn::Lanes(d); ++l) {
         const double* from = places.of_lane(c, lane + l);
+        const std::size_t stride = places.stride_of_lane(c, lane + l);
         for (std::size_t i = 0; i < 3; ++i) {
             gathered[i][l] = from[i * stride];
             gathered[3 + i][l] = from[(v.velocity_quantity + i) * stride];
         }
     }
-    for (std::size_t i = 0; i < 3; ++i) {
-        x.u[c][i] = hn::Load(d, gathered[i]);
-        x.w[c][i] = hn::Load(d, gathered[3 + i]);
-    }
+    x.u[c] = Load3(gathered[0], Lattice::lanes);
+    x.w[c] = Load3(gathered[3], Lattice::lanes);
 }
 
 /// Both corners of a side, lane after lane: ascending entities at each vertex.
 HWY_INLINE void AddOneByOne(const BatchPlaces& places, std::size_t low, std::size_t high, std::size_t lane, const Corners& x) {
     const D d;
-    const std::size_t stride = places.stride(low);
     HWY_ALIGN double forces[2][3][Lattice::lanes];
-    for (std::size_t i = 0; i < 3; ++i) {
-        hn::Store(x.f[low][i], d, forces[0][i]);
-        hn::Store(x.f[high][i], d, forces[1][i]);
-    }
+    Store3(x.f[low], forces[0][0], Lattice::lanes);
+    Store3(x.f[high], forces[1][0], Lattice::lanes);
     for (std::size_t l = 0; l < hn::Lanes(d); ++l) {
-        double* at_low = places.of_lane(low, lane + l) + Quantity::force * stride;
-        double* at_high = places.of_lane(high, lane + l) + Quantity::force * stride;
-        for (std::size_t i = 0; i < 3; ++i) {
-            at_low[i * stride] += forces[0][i][l];
-            at_high[i * stride] += forces[1][i][l];
+        double* at_low = places.of_lane(low, lane + l);
+        double* at_high = places.of_lane(high, lane + l);
+        const std::size_t stride_low = places.stride_of_lane(low, lane + l);
+        const std::size_t stride_high = places.stride_of_lane(high, lane + l);
+        for (std::size_t i = Quantity::force; i < Quantity::force + 3; ++i) {
+            at_low[i * stride_low] += forces[0][i - Quantity::force][l];
+            at_high[i * stride_high] += forces[1][i - Quantity::force][l];
         }
     }
 }
 
 HWY_INLINE void AddCorner(const BatchPlaces& places, std::size_t c, std::size_t lane, const Corners& x) {
-    const D d;
-    double* to = places.uniform(c) + Quantity::force * places.stride(c) + lane;
-    for (std::size_t i = 0; i < 3; ++i) {
-        hn::StoreU(hn::Add(hn::LoadU(d, to + i * places.stride(c)), x.f[c][i]), d, to + i * places.stride(c));
-    }
+    const std::size_t stride = places.stride(c);
+    double* to = places.uniform(c) + Quantity::force * stride + lane;
+    const V3 sum = Load3(to, stride);
+    Store3({hn::Add(sum.x, x.f[c].x), hn::Add(sum.y, x.f[c].y), hn::Add(sum.z, x.f[c].z)}, to, stride);
 }
 
 HWY_INLINE void AddForces(const BatchPlaces& places, std::size_t lane, const Corners& x) {
@@ -290,18 +420,37 @@ HWY_NOINLINE void SweepAny(SweepView& v, const RowView& row, std::size_t batch, 
             AddFar<kMeasure>(v, carried, weights, limits, x, outcome);
         }
         AddForces(places, lane, x);
-        Collect(outcome, weights, lane, exceeded, sums);
+        Collect<kMeasure>(outcome, weights, lane, exceeded, sums);
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         v.exceeded[b * 3 + axis] = static_cast<std::uint8_t>(exceeded[axis]);
     }
 }
 
-HWY_INLINE bool IsPlain(const SweepView& v, std::size_t b) {
-    std::uint64_t planes;
-    std::memcpy(&planes, v.planes + b * Hexahedron::corners, sizeof(planes));
-    constexpr std::uint64_t all_base = 0x0101010101010101U * UnionTable::base_plane;
-    return planes == all_base && v.carried[b] == (plain_mask | 1U << Merging::full);
+HWY_INLINE bool AllWhole(const SweepView& v, std::size_t b) {
+    std::uint64_t in_use;
+    std::memcpy(&in_use, v.planes + b * Hexahedron::corners, sizeof(in_use));
+    constexpr std::uint64_t all_base = 0x0101010101010101U * base_plane;
+    return in_use == all_base;
+}
+
+/// False: the batch is not one of a run.
+template <bool kMeasure>
+HWY_INLINE bool ContinueRun(SweepView& v, PlainRun& run, std::size_t batch, std::size_t b, RowSums& sums) {
+    constexpr unsigned full = 1U << Merging::full;
+    switch (v.carried[b]) {
+        case mask_of(InsideRow{}) | full:
+            SweepPlain<InsideRow, true, kMeasure>(v, run, batch, b, sums);
+            return true;
+        case mask_of(InsideRow{}):
+            SweepPlain<InsideRow, false, kMeasure>(v, run, batch, b, sums);
+            return true;
+        case mask_of(StartOfRow{}) | full:
+            SweepPlain<StartOfRow, true, kMeasure>(v, run, batch, b, sums);
+            return true;
+        default:
+            return false;
+    }
 }
 
 template <bool kMeasure>
@@ -309,12 +458,14 @@ void SweepBatches(SweepView& v, const RowView& row) {
     const D d;
     RowSums sums{hn::Zero(d), hn::Zero(d)};
     for (std::size_t batch = 0; batch < row.batches;) {
+        PlainRun run = BeginRun(row);
         std::size_t end = batch;
-        while (end < row.batches && IsPlain(v, row.first_batch + end)) {
+        while (end < row.batches && AllWhole(v, row.first_batch + end) &&
+               ContinueRun<kMeasure>(v, run, end, row.first_batch + end, sums)) {
             ++end;
         }
         if (end > batch) {
-            SweepPlain<kMeasure>(v, row, batch, end, sums);
+            EndRun(run, end);
             batch = end;
         } else {
             SweepAny<kMeasure>(v, row, batch, sums);
@@ -322,7 +473,9 @@ void SweepBatches(SweepView& v, const RowView& row) {
         }
     }
     v.dissipated += hn::GetLane(hn::SumOfLanes(d, sums.dissipated));
-    v.elastic += hn::GetLane(hn::SumOfLanes(d, sums.elastic));
+    if constexpr (kMeasure) {
+        v.elastic += hn::GetLane(hn::SumOfLanes(d, sums.elastic));
+    }
 }
 
 void Sweep(SweepView& v, const RowView& row) { SweepBatches<false>(v, row); }
@@ -330,27 +483,20 @@ void SweepMeasured(SweepView& v, const RowView& row) { SweepBatches<true>(v, row
 
 void SweepGathered(const SweepView& v, GatheredEntities& entities) {
     const D d;
-    constexpr std::uint8_t ones[Merging::bytes_per_batch] = {
-#define CRACKSIM_ONES 1, 1, 1, 1, 1, 1, 1, 1
-        CRACKSIM_ONES, CRACKSIM_ONES, CRACKSIM_ONES, CRACKSIM_ONES, CRACKSIM_ONES, CRACKSIM_ONES,
-        CRACKSIM_ONES, CRACKSIM_ONES, CRACKSIM_ONES, CRACKSIM_ONES, CRACKSIM_ONES, CRACKSIM_ONES,
-        CRACKSIM_ONES, CRACKSIM_ONES, CRACKSIM_ONES, CRACKSIM_ONES, CRACKSIM_ONES};
-#undef CRACKSIM_ONES
+    std::uint8_t ones[Merging::bytes_per_batch];
+    std::fill(std::begin(ones), std::end(ones), std::uint8_t{1});
     constexpr float limits[3 * Lattice::lanes] = {};
     for (std::size_t lane = 0; lane < Lattice::lanes; lane += hn::Lanes(d)) {
         Corners x;
+        constexpr std::size_t stride = Hexahedron::corners * Lattice::lanes;
         for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
-            for (std::size_t i = 0; i < 3; ++i) {
-                x.u[c][i] = hn::LoadU(d, entities.displacement[i][c] + lane);
-                x.w[c][i] = hn::LoadU(d, entities.velocity_increment[i][c] + lane);
-            }
+            x.u[c] = Load3(entities.displacement[0][c] + lane, stride);
+            x.w[c] = Load3(entities.velocity_increment[0][c] + lane, stride);
         }
         Outcome outcome = Nothing();
         AddFar<false>(v, 0xffffU, ones, limits, x, outcome);
         for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
-            for (std::size_t i = 0; i < 3; ++i) {
-                hn::StoreU(x.f[c][i], d, entities.force[i][c] + lane);
-            }
+            Store3(x.f[c], entities.force[0][c] + lane, stride);
         }
     }
 }
@@ -397,10 +543,11 @@ RowView view_of(State& state, const Lattice::CellRow& row) {
     v.first_batch = static_cast<std::size_t>(row.first_batch);
     v.batches = static_cast<std::size_t>(row.batches);
     for (std::size_t side = 0; side < Lattice::sides; ++side) {
-        v.stride[side] = state.motion.stride(row.vertex_row[side]);
         v.offset[side] = static_cast<std::size_t>(row.offset[side]);
         for (int plane = 0; plane < planes; ++plane) {
-            v.chunk[side][plane] = state.motion.chunk(row.vertex_row[side], plane);
+            Chunk& chunk = state.motion.chunk(row.vertex_row[side], plane);
+            v.chunk[side][plane] = chunk.row_start();
+            v.stride[side][plane] = chunk.stride;
         }
     }
     return v;
@@ -438,8 +585,9 @@ void accumulate_forces(const Network& network, State& state, Measure measure) {
     const auto rows = static_cast<std::int32_t>(state.lattice().vertex_rows().size());
     for (std::int32_t row = 0; row < rows; ++row) {
         for (int plane = 0; plane < planes; ++plane) {
-            if (double* chunk = state.motion.chunk(row, plane)) {
-                std::fill_n(chunk + Quantity::force * state.motion.stride(row), 3 * state.motion.stride(row), 0.0);
+            Chunk& chunk = state.motion.chunk(row, plane);
+            if (chunk.length > 0) {
+                std::fill_n(chunk.values.data() + Quantity::force * chunk.stride, 3 * chunk.stride, 0.0);
             }
         }
     }

@@ -32,10 +32,11 @@ struct InteractionConstants {
     double half_energy;             ///< k L0^2/2, J
 };
 
-/// What the sweep of a row needs of its four vertex rows: [side][plane] chunks, null where a plane holds no union.
+/// What the sweep of a row needs of its four vertex rows: the chunks of their planes, [side][plane], from the row's first vertex on;
+/// null where a plane holds no union.
 struct RowView {
     double* chunk[Lattice::sides][planes];
-    std::size_t stride[Lattice::sides];
+    std::size_t stride[Lattice::sides][planes];
     std::size_t offset[Lattice::sides];
     std::size_t first_batch;
     std::size_t batches;

@@ -17,12 +17,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::CappedTag<double, Lattice::lanes>;
 using V = hn::Vec<D>;
 
-/// The corners of some consecutive entities: displacements, what damping takes for their increments, and the forces summed so far.
-struct Corners {
-    V u[Hexahedron::corners][3];
-    V w[Hexahedron::corners][3];
-    V f[Hexahedron::corners][3];
+struct V3 {
+    V x, y, z;
 };
+
+HWY_INLINE V3 Sub(const V3& a, const V3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
+HWY_INLINE V Dot(const V3& a, const V3& b) { return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x))); }
 
 /// Over the interactions of the entities: sums, and what decides about sensing and about the range of the series.
 struct Outcome {
@@ -32,42 +32,33 @@ struct Outcome {
     hn::Mask<D> exceeded[3];
 };
 
-HWY_INLINE V Dot(const V (&a)[3], const V (&b)[3]) {
-    return hn::MulAdd(a[2], b[2], hn::MulAdd(a[1], b[1], hn::Mul(a[0], b[0])));
-}
-
 /// d = d0 + du, and the extension |d|^2/L0^2 - 1 = (2 d0 + du).du / L0^2, without cancellation.
 struct Extended {
-    V distance[3];
+    V3 distance;
     V extension;
 };
 
 template <std::size_t I>
-HWY_INLINE Extended Extend(const InteractionConstants& c, const V (&du)[3]) {
+HWY_INLINE Extended Extend(const InteractionConstants& c, const V3& du) {
     const D d;
-    Extended found;
     const V scale = hn::Set(d, c.inverse_squared_length);
     if constexpr (I < HexahedronPairs::edges) {
         // Edges of a box lie along an axis: across it, d and 2 d0 + du are du.
-        constexpr std::size_t along = I / HexahedronPairs::edges_per_axis;
-        constexpr std::size_t second = (along + 1) % 3;
-        constexpr std::size_t third = (along + 2) % 3;
-        const V rest = hn::Set(d, c.rest[along]);
-        const V across = hn::MulAdd(du[second], du[second], hn::Mul(du[third], du[third]));
-        found.distance[along] = hn::Add(rest, du[along]);
-        found.distance[second] = du[second];
-        found.distance[third] = du[third];
-        found.extension = hn::Mul(scale, hn::MulAdd(hn::Add(rest, found.distance[along]), du[along], across));
+        constexpr std::size_t axis = I / HexahedronPairs::edges_per_axis;
+        const V rest = hn::Set(d, c.rest[axis]);
+        const V along = axis == 0 ? du.x : axis == 1 ? du.y : du.z;
+        const V second = axis == 0 ? du.y : axis == 1 ? du.z : du.x;
+        const V third = axis == 0 ? du.z : axis == 1 ? du.x : du.y;
+        const V across = hn::MulAdd(second, second, hn::Mul(third, third));
+        const V distance = hn::Add(rest, along);
+        const V extension = hn::Mul(scale, hn::MulAdd(hn::Add(rest, distance), along, across));
+        return {{axis == 0 ? distance : du.x, axis == 1 ? distance : du.y, axis == 2 ? distance : du.z}, extension};
     } else {
-        V twice[3];
-        for (int i = 0; i < 3; ++i) {
-            const V rest = hn::Set(d, c.rest[i]);
-            found.distance[i] = hn::Add(rest, du[i]);
-            twice[i] = hn::Add(rest, found.distance[i]);
-        }
-        found.extension = hn::Mul(scale, Dot(twice, du));
+        const V3 rest{hn::Set(d, c.rest[0]), hn::Set(d, c.rest[1]), hn::Set(d, c.rest[2])};
+        const V3 distance{hn::Add(rest.x, du.x), hn::Add(rest.y, du.y), hn::Add(rest.z, du.z)};
+        const V3 twice{hn::Add(rest.x, distance.x), hn::Add(rest.y, distance.y), hn::Add(rest.z, distance.z)};
+        return {distance, hn::Mul(scale, Dot(twice, du))};
     }
-    return found;
 }
 
 /// With the extension x: the shortfall g = 1 - L0/|d| = 1 - (1 + x)^(-1/2), and r = L0/|d| = 1 - g.
@@ -117,35 +108,30 @@ HWY_INLINE V SquaredStretch(V x, const Ratio& ratio) {
     return hn::IfThenElse(vanished, hn::Set(d, 1.0), hn::Mul(g2, squared));
 }
 
-/// Adds interaction I of the entities, `weight` times each: F = weight (k g + z' q r^2) d with q = dw.d, z' = z/(dt L0^2).
-template <std::size_t I, bool kFar, bool kMeasure>
-HWY_INLINE void AddInteraction(const InteractionConstants& c, V weight, const float* limit, Corners& x, Outcome& sums) {
+/// The force of interaction I on its first corner over d, `weight` times: weight (k g + z' q r^2) with q = dw.d, z' = z/(dt L0^2).
+struct Pull {
+    V factor;
+    V3 distance;
+};
+
+/// kPlain: all weights are above zero.
+template <std::size_t I, bool kPlain, bool kFar, bool kMeasure>
+HWY_INLINE Pull PullOf(const InteractionConstants& c, const V3& du, const V3& dw, V weight, const float* limit, Outcome& sums) {
     const D d;
-    constexpr auto a = static_cast<std::size_t>(HexahedronPairs::corners[I][0]);
-    constexpr auto b = static_cast<std::size_t>(HexahedronPairs::corners[I][1]);
-    V du[3], dw[3];
-    for (int i = 0; i < 3; ++i) {
-        du[i] = hn::Sub(x.u[b][i], x.u[a][i]);
-        dw[i] = hn::Sub(x.w[b][i], x.w[a][i]);
-    }
     const Extended e = Extend<I>(c, du);
     const Ratio ratio = kFar ? AnyRatio(e.extension) : NearRatio(e.extension);
     const V q = Dot(dw, e.distance);
     const V drag = hn::Mul(hn::Mul(hn::Set(d, c.viscosity_rate), q), hn::Mul(ratio.inverse, ratio.inverse));
     const V factor = hn::Mul(weight, hn::MulAdd(hn::Set(d, c.stiffness), ratio.shortfall, drag));
-    for (int i = 0; i < 3; ++i) {
-        x.f[a][i] = hn::MulAdd(factor, e.distance[i], x.f[a][i]);
-        x.f[b][i] = hn::NegMulAdd(factor, e.distance[i], x.f[b][i]);
-    }
     sums.dissipated = hn::MulAdd(hn::Mul(weight, q), drag, sums.dissipated);
     if constexpr (kMeasure) {
         const V energy = hn::Mul(hn::Mul(weight, hn::Set(d, c.half_energy)), SquaredStretch(e.extension, ratio));
         sums.elastic = hn::Add(sums.elastic, energy);
     }
     if constexpr (!kFar) {
-        // Void lanes and interactions that another entity carries do not count: their ends may be anywhere.
         const V off = hn::Abs(hn::Sub(e.extension, hn::Set(d, Series::centre)));
-        sums.farthest = hn::Max(sums.farthest, hn::IfThenZeroElse(hn::Eq(weight, hn::Zero(d)), off));
+        // The ends of what is void or carried by another entity may be anywhere.
+        sums.farthest = hn::Max(sums.farthest, kPlain ? off : hn::IfThenZeroElse(hn::Eq(weight, hn::Zero(d)), off));
     }
     if constexpr (I < HexahedronPairs::edges) {
         constexpr std::size_t axis = I / HexahedronPairs::edges_per_axis;
@@ -153,6 +139,17 @@ HWY_INLINE void AddInteraction(const InteractionConstants& c, V weight, const fl
         const V bound = hn::PromoteTo(d, hn::LoadU(df, limit + axis * Lattice::lanes));
         sums.exceeded[axis] = hn::Or(sums.exceeded[axis], hn::Gt(e.extension, bound));
     }
+    return {factor, e.distance};
+}
+
+HWY_INLINE V3 Plus(const Pull& pull, const V3& sum) {
+    return {hn::MulAdd(pull.factor, pull.distance.x, sum.x), hn::MulAdd(pull.factor, pull.distance.y, sum.y),
+            hn::MulAdd(pull.factor, pull.distance.z, sum.z)};
+}
+
+HWY_INLINE V3 Minus(const Pull& pull, const V3& sum) {
+    return {hn::NegMulAdd(pull.factor, pull.distance.x, sum.x), hn::NegMulAdd(pull.factor, pull.distance.y, sum.y),
+            hn::NegMulAdd(pull.factor, pull.distance.z, sum.z)};
 }
 
 }  // namespace cracksim::physics::HWY_NAMESPACE

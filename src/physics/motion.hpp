@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace cracksim::physics {
 using Slot = Id<struct SlotTag, std::int32_t>;
 
 constexpr int planes = 8;
+/// Holds the part with the vertex's smallest mass, and so every whole union but lone masses.
+constexpr int base_plane = 6;
 [[nodiscard]] constexpr Slot slot_of(VertexSite v, int plane) { return Slot{v.value() * planes + plane}; }
 [[nodiscard]] constexpr VertexSite vertex_of(Slot s) { return VertexSite{s.value() / planes}; }
 [[nodiscard]] constexpr int plane_of(Slot s) { return s.value() % planes; }
@@ -42,20 +45,33 @@ struct LineAllocator {
     friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
 };
 
-/// The motion of all unions of this rank: for each row of vertices and each plane in use there a chunk, which holds component after
-/// component along the row. A plane takes memory from the first union in it on.
+/// The motion of the unions in one plane of a row, component after component, along a part of the row: whole groups of lanes that
+/// the unions in it lie in, and their upper neighbours.
+struct Chunk {
+    std::int32_t begin{0};  ///< of the part, a multiple of the lanes
+    std::int32_t length{0};
+    std::size_t stride{0};  ///< from one component to the next
+    bool advances{false};   ///< holds unions that this rank advances, not received masses only
+    std::vector<double, LineAllocator<double>> values;
+
+    [[nodiscard]] bool covers(std::int32_t first, std::int32_t end) const {
+        return length > 0 && begin <= first && end <= begin + length;
+    }
+    /// Where the first component of the row's first vertex would be; null if there is no union.
+    [[nodiscard]] double* row_start() { return length == 0 ? nullptr : values.data() - begin; }
+    [[nodiscard]] const double* row_start() const { return length == 0 ? nullptr : values.data() - begin; }
+};
+
+/// The motion of all unions of this rank. A plane takes memory where unions fell apart only.
 class Motion {
 public:
     Motion(const Lattice& lattice, bool extrapolates);
 
-    /// The chunk of a plane of a row; null if it holds no union.
-    [[nodiscard]] double* chunk(std::int32_t row, int plane) { return chunks_[place(row, plane)].data(); }
-    [[nodiscard]] const double* chunk(std::int32_t row, int plane) const { return chunks_[place(row, plane)].data(); }
-    /// From one component to the next.
-    [[nodiscard]] std::size_t stride(std::int32_t row) const { return stride_[static_cast<std::size_t>(row)]; }
+    [[nodiscard]] Chunk& chunk(std::int32_t row, int plane) { return chunks_[place(row, plane)]; }
+    [[nodiscard]] const Chunk& chunk(std::int32_t row, int plane) const { return chunks_[place(row, plane)]; }
 
-    /// Makes sure that a slot has memory; what is new is zero.
-    void open(const Lattice& lattice, Slot s);
+    /// Makes sure that a slot has memory; what is new is zero. advances: a union that this rank advances.
+    void open(const Lattice& lattice, Slot s, bool advances);
     [[nodiscard]] Vec3 get(const Lattice& lattice, Slot s, std::size_t quantity) const;
     void set(const Lattice& lattice, Slot s, std::size_t quantity, Vec3 value);
     [[nodiscard]] double& mobility(const Lattice& lattice, Slot s);
@@ -66,16 +82,19 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
-    using Chunk = std::vector<double, LineAllocator<double>>;
-
     [[nodiscard]] static std::size_t place(std::int32_t row, int plane) {
         return static_cast<std::size_t>(row) * planes + static_cast<std::size_t>(plane);
     }
-    /// Of the first component of a slot in its chunk.
-    [[nodiscard]] static std::size_t along(const Lattice& lattice, Slot s);
+    /// A chunk and the place of a slot's first component in it.
+    struct Place {
+        std::size_t chunk;
+        std::size_t at;
+    };
+    [[nodiscard]] Place find(const Lattice& lattice, Slot s) const;
+    void extend(Chunk& chunk, std::int32_t begin, std::int32_t end, std::size_t stride) const;
 
     std::size_t components_;
-    std::vector<std::size_t> stride_;
+    std::size_t base_stride_;  ///< the same in all rows
     std::vector<Chunk> chunks_;
 };
 

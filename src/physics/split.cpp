@@ -68,7 +68,7 @@ Inheritance leave(State& state, Slot s) {
 }
 
 void inherit(const Network& network, State& state, Slot s, const Inheritance& left) {
-    state.motion.open(state.lattice(), s);
+    state.motion.open(state.lattice(), s, true);
     state.set_displacement(s, left.displacement);
     state.set_increment(s, left.increment);
     state.set_velocity_increment(s, left.velocity_increment);

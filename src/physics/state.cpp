@@ -40,9 +40,14 @@ State::State(const Network& network, Scheme chosen, double dt)
       sensing{all_active(network, unions.lattice())},
       held_in_row(lattice().vertex_rows().size()),
       received_in_row(lattice().vertex_rows().size()) {
-    for_each_slot(network, unions, [&](Slot s, LocalMass) { motion.open(lattice(), s); });
-    for (const Slot s : unions.advanced()) {
-        set_mobility(network, s);
+    // Whole rows at once: from their ends.
+    const std::vector<Slot> advanced = unions.advanced();
+    for (auto s = advanced.rbegin(); s != advanced.rend(); ++s) {
+        motion.open(lattice(), *s, true);
+        set_mobility(network, *s);
+    }
+    for (const LocalMass m : network.received()) {
+        motion.open(lattice(), unions.slot(m), false);
     }
     for (std::size_t i = 0; i < network.received().size(); ++i) {
         const VertexSite v = lattice().vertex(network.received()[i]);

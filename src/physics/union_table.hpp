@@ -19,7 +19,6 @@ namespace cracksim::physics {
 class UnionTable {
 public:
     static constexpr int lanes = Lattice::lanes;
-    static constexpr int base_plane = 6;
     /// The corners that meet at a vertex, in ascending order of their entities.
     static constexpr std::array<int, Hexahedron::corners> ascending{6, 7, 5, 4, 2, 3, 1, 0};
     /// In place of a plane: lanes differ.
