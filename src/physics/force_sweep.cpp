@@ -315,85 +315,94 @@ struct BatchPlaces {
     const std::uint8_t* planes;
     const std::uint8_t* lane_planes;
     std::size_t at;  ///< of lane 0 along the row
-
-    [[nodiscard]] double* uniform(std::size_t corner) const {
-        const std::size_t side = Lattice::side(static_cast<int>(corner));
-        return row->chunk[side][planes[corner]] + place(corner);
-    }
-    [[nodiscard]] std::size_t stride(std::size_t corner) const {
-        return row->stride[Lattice::side(static_cast<int>(corner))][planes[corner]];
-    }
-    [[nodiscard]] std::size_t stride_of_lane(std::size_t corner, std::size_t lane) const {
-        return row->stride[Lattice::side(static_cast<int>(corner))][lane_planes[corner * Lattice::lanes + lane]];
-    }
-    [[nodiscard]] double* of_lane(std::size_t corner, std::size_t lane) const {
-        const std::size_t side = Lattice::side(static_cast<int>(corner));
-        return row->chunk[side][lane_planes[corner * Lattice::lanes + lane]] + place(corner) + lane;
-    }
-    [[nodiscard]] std::size_t place(std::size_t corner) const {
-        return row->offset[Lattice::side(static_cast<int>(corner))] + at +
-               static_cast<std::size_t>(Lattice::along(static_cast<int>(corner)));
-    }
 };
 
-HWY_INLINE void LoadCorner(const SweepView& v, const BatchPlaces& places, std::size_t c, std::size_t lane, Corners& x) {
+/// Calls action(place, stride, mask) for each plane that holds the corner in some of the lanes from `lane` on: where the first lane
+/// would be, from one component to the next, and which lanes.
+template <class Action>
+HWY_INLINE void ForEachPlane(const BatchPlaces& places, std::size_t corner, std::size_t lane, Action&& action) {
     const D d;
-    if (places.planes[c] != UnionTable::mixed) {
-        const double* from = places.uniform(c) + lane;
-        const std::size_t stride = places.stride(c);
+    const hn::RebindToSigned<D> di;
+    const hn::Rebind<std::uint8_t, D> d8;
+    const hn::Rebind<std::int32_t, D> d32;
+    const std::size_t side = Lattice::side(static_cast<int>(corner));
+    const std::size_t at = places.row->offset[side] + places.at + static_cast<std::size_t>(Lattice::along(static_cast<int>(corner))) + lane;
+    const std::uint8_t* lane_planes = places.lane_planes + corner * Lattice::lanes + lane;
+    const auto plane_of_lane = hn::PromoteTo(di, hn::PromoteTo(d32, hn::LoadU(d8, lane_planes)));
+    unsigned in_use = 0;
+    for (std::size_t l = 0; l < hn::Lanes(d); ++l) {
+        in_use |= 1U << lane_planes[l];
+    }
+    for (; in_use != 0; in_use &= in_use - 1) {
+        const auto plane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(in_use));
+        const auto mask = hn::RebindMask(d, hn::Eq(plane_of_lane, hn::Set(di, static_cast<std::int64_t>(plane))));
+        action(places.row->chunk[side][plane] + at, places.row->stride[side][plane], mask);
+    }
+}
+
+HWY_INLINE bool IsUniform(const BatchPlaces& places, std::size_t corner) {
+    return places.planes[corner] != UnionTable::mixed;
+}
+
+/// Where lane 0 of a corner that is in one plane in all lanes is, and from one component to the next.
+HWY_INLINE double* UniformPlace(const BatchPlaces& places, std::size_t corner, std::size_t lane, std::size_t& stride) {
+    const std::size_t side = Lattice::side(static_cast<int>(corner));
+    const std::size_t plane = places.planes[corner];
+    stride = places.row->stride[side][plane];
+    return places.row->chunk[side][plane] + places.row->offset[side] + places.at +
+           static_cast<std::size_t>(Lattice::along(static_cast<int>(corner))) + lane;
+}
+
+HWY_INLINE V3 MaskedLoad3(hn::Mask<D> mask, const double* from, std::size_t stride) {
+    const D d;
+    return {hn::MaskedLoad(mask, d, from), hn::MaskedLoad(mask, d, from + stride), hn::MaskedLoad(mask, d, from + 2 * stride)};
+}
+
+HWY_INLINE V3 Or(const V3& a, const V3& b) { return {hn::Or(a.x, b.x), hn::Or(a.y, b.y), hn::Or(a.z, b.z)}; }
+
+HWY_INLINE void LoadCorner(const SweepView& v, const BatchPlaces& places, std::size_t c, std::size_t lane, Corners& x) {
+    std::size_t stride = 0;
+    if (IsUniform(places, c)) {
+        const double* from = UniformPlace(places, c, lane, stride);
         x.u[c] = Load3(from, stride);
         x.w[c] = Load3(from + v.velocity_quantity * stride, stride);
         return;
     }
-    HWY_ALIGN double gathered[6][Lattice::lanes];
-    for (std::size_t l = 0; l < hn::Lanes(d); ++l) {
-        const double* from = places.of_lane(c, lane + l);
-        const std::size_t stride = places.stride_of_lane(c, lane + l);
-        for (std::size_t i = 0; i < 3; ++i) {
-            gathered[i][l] = from[i * stride];
-            gathered[3 + i][l] = from[(v.velocity_quantity + i) * stride];
-        }
-    }
-    x.u[c] = Load3(gathered[0], Lattice::lanes);
-    x.w[c] = Load3(gathered[3], Lattice::lanes);
+    x.u[c] = Zero3();
+    x.w[c] = Zero3();
+    ForEachPlane(places, c, lane, [&](const double* from, std::size_t from_stride, hn::Mask<D> mask) {
+        x.u[c] = Or(x.u[c], MaskedLoad3(mask, from, from_stride));
+        x.w[c] = Or(x.w[c], MaskedLoad3(mask, from + v.velocity_quantity * from_stride, from_stride));
+    });
 }
 
-/// Both corners of a side, lane after lane: ascending entities at each vertex.
-HWY_INLINE void AddOneByOne(const BatchPlaces& places, std::size_t low, std::size_t high, std::size_t lane, const Corners& x) {
-    const D d;
-    HWY_ALIGN double forces[2][3][Lattice::lanes];
-    Store3(x.f[low], forces[0][0], Lattice::lanes);
-    Store3(x.f[high], forces[1][0], Lattice::lanes);
-    for (std::size_t l = 0; l < hn::Lanes(d); ++l) {
-        double* at_low = places.of_lane(low, lane + l);
-        double* at_high = places.of_lane(high, lane + l);
-        const std::size_t stride_low = places.stride_of_lane(low, lane + l);
-        const std::size_t stride_high = places.stride_of_lane(high, lane + l);
-        for (std::size_t i = Quantity::force; i < Quantity::force + 3; ++i) {
-            at_low[i * stride_low] += forces[0][i - Quantity::force][l];
-            at_high[i * stride_high] += forces[1][i - Quantity::force][l];
-        }
-    }
+HWY_INLINE void AddTo(const V3& forces, double* to, std::size_t stride) {
+    const V3 sum = Load3(to, stride);
+    Store3({hn::Add(sum.x, forces.x), hn::Add(sum.y, forces.y), hn::Add(sum.z, forces.z)}, to, stride);
 }
 
 HWY_INLINE void AddCorner(const BatchPlaces& places, std::size_t c, std::size_t lane, const Corners& x) {
-    const std::size_t stride = places.stride(c);
-    double* to = places.uniform(c) + Quantity::force * stride + lane;
-    const V3 sum = Load3(to, stride);
-    Store3({hn::Add(sum.x, x.f[c].x), hn::Add(sum.y, x.f[c].y), hn::Add(sum.z, x.f[c].z)}, to, stride);
+    const D d;
+    std::size_t stride = 0;
+    if (IsUniform(places, c)) {
+        double* to = UniformPlace(places, c, lane, stride);
+        AddTo(x.f[c], to + Quantity::force * stride, stride);
+        return;
+    }
+    ForEachPlane(places, c, lane, [&](double* place, std::size_t to_stride, hn::Mask<D> mask) {
+        double* to = place + Quantity::force * to_stride;
+        const V3 sum = MaskedLoad3(mask, to, to_stride);
+        hn::BlendedStore(hn::Add(sum.x, x.f[c].x), mask, d, to);
+        hn::BlendedStore(hn::Add(sum.y, x.f[c].y), mask, d, to + to_stride);
+        hn::BlendedStore(hn::Add(sum.z, x.f[c].z), mask, d, to + 2 * to_stride);
+    });
 }
 
+/// At each vertex the upper corner of an entity before the lower one of the next: ascending masses.
 HWY_INLINE void AddForces(const BatchPlaces& places, std::size_t lane, const Corners& x) {
     for (const auto& pair : corners_of_side) {
-        const auto low = static_cast<std::size_t>(pair[0]);
-        const auto high = static_cast<std::size_t>(pair[1]);
-        if (places.planes[low] == UnionTable::mixed || places.planes[high] == UnionTable::mixed) {
-            AddOneByOne(places, low, high, lane, x);
-        } else {
-            // The upper corner of an entity before the lower one of the next.
-            AddCorner(places, high, lane, x);
-            AddCorner(places, low, lane, x);
-        }
+        AddCorner(places, static_cast<std::size_t>(pair[1]), lane, x);
+        AddCorner(places, static_cast<std::size_t>(pair[0]), lane, x);
     }
 }
 

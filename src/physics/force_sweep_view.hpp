@@ -12,13 +12,13 @@ namespace cracksim::physics {
 
 /// The polynomial P of NearRatio, for |x - centre| <= reach: minimax for the residual, degree 4.
 struct Series {
-    static constexpr double p0 = 0.499232476496793;
-    static constexpr double p1 = -0.37160590938676763;
-    static constexpr double p2 = 0.3300881911917868;
-    static constexpr double p3 = -0.3332288071815541;
-    static constexpr double p4 = 0.20107770735073227;
-    static constexpr double centre = 0.1;
-    static constexpr double reach = 0.5;
+    static constexpr double p0 = 0.49968050192365143;
+    static constexpr double p1 = -0.3729833863862425;
+    static constexpr double p2 = 0.3226122799509682;
+    static constexpr double p3 = -0.31894107644253683;
+    static constexpr double p4 = 0.2095730915886624;
+    static constexpr double centre = 0.075;
+    static constexpr double reach = 0.425;
     /// Below this |d|^2/L0^2 the direction is not defined.
     static constexpr double tiny_squared = 1e-24;
 };

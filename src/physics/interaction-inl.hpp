@@ -67,7 +67,7 @@ struct Ratio {
     V inverse;
 };
 
-/// For |x - 0.1| <= 0.5, without division or root. g0 = x P(x) is right to 0.2 %; with the residual R = (1 + x)(1 - g0)^2 - 1,
+/// For |x - 0.075| <= 0.425, without division or root. g0 = x P(x) is right to 0.1 %; with the residual R = (1 + x)(1 - g0)^2 - 1,
 /// r = (1 - g0)(1 + R)^(-1/2) to the third power of R: to the last bit of g, relative to g, however small x.
 HWY_INLINE Ratio NearRatio(V x) {
     const D d;

@@ -60,11 +60,13 @@ Lattice::Lattice(const Block& block, const IdArray<LocalEntity, EntityId>& entit
     for (const auto& [key, extent] : cells) {
         const auto row = static_cast<std::int32_t>(cell_rows_.size());
         const auto batch_count = static_cast<std::int32_t>((extent.end - extent.begin) / lanes);
-        CellRow added{static_cast<std::int32_t>(batches()), batch_count, {}, {}};
+        CellRow added{static_cast<std::int32_t>(batches()), batch_count, {}, {}, {}};
         for (std::size_t side = 0; side < sides; ++side) {
             added.vertex_row[side] = index.at(vertex_key(key, side));
             added.offset[side] = static_cast<std::int32_t>(extent.begin - vertices.at(vertex_key(key, side)).begin);
-            vertex_rows_[static_cast<std::size_t>(added.vertex_row[side])].cell_row[side] = row;
+            VertexRow& met = vertex_rows_[static_cast<std::size_t>(added.vertex_row[side])];
+            met.cell_row[side] = row;
+            added.to_vertex[side] = met.first + added.offset[side] - added.first_batch * lanes;
         }
         const std::size_t first_site = entity_.size();
         entity_.resize(first_site + static_cast<std::size_t>(extent.end - extent.begin));
@@ -85,10 +87,7 @@ Lattice::Lattice(const Block& block, const IdArray<LocalEntity, EntityId>& entit
 VertexSite Lattice::vertex(LocalMass m) const {
     const std::int32_t s = site(entity_of(m)).value();
     const CellRow& row = cell_rows_[static_cast<std::size_t>(row_of_batch_[static_cast<std::size_t>(s / lanes)])];
-    const std::size_t to = side(corner_of(m));
-    const std::int32_t from_first = s - row.first_batch * lanes;
-    return VertexSite{vertex_rows_[static_cast<std::size_t>(row.vertex_row[to])].first + row.offset[to] + from_first +
-                      along(corner_of(m))};
+    return VertexSite{s + row.to_vertex[side(corner_of(m))] + along(corner_of(m))};
 }
 
 LocalMass Lattice::mass_at(VertexSite v, int corner) const {

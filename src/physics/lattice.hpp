@@ -28,6 +28,7 @@ public:
         std::int32_t batches;
         std::array<std::int32_t, sides> vertex_row;
         std::array<std::int32_t, sides> offset;  ///< of the first cell's lower vertex in each of them
+        std::array<std::int32_t, sides> to_vertex;  ///< from a cell's site to its lower vertex there
     };
     struct VertexRow {
         std::int32_t first;

@@ -115,7 +115,10 @@ bool split_union(const Network& network, Slot s, State& state, SplitStream& spli
     for (const auto& part : parts) {
         splits.add_part(part);
         slots.push_back(state.unions.assign(part));
-        inherit(network, state, slots.back(), left);
+    }
+    // Only when all masses have their new labels is a part's mass its own.
+    for (const Slot part : slots) {
+        inherit(network, state, part, left);
     }
     if (left.held) {
         hold_parts(state, s, slots, *left.held);

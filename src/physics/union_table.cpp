@@ -1,6 +1,7 @@
 #include "physics/union_table.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "core/contracts.hpp"
 
@@ -10,6 +11,7 @@ UnionTable::UnionTable(const Network& network)
     : lattice_{network.block(), network.entities()},
       label_(static_cast<std::size_t>(network.mass_count())),
       touched_(lattice_.vertex_sites(), 0),
+      in_use_(lattice_.vertex_sites(), 0),
       batch_planes_(lattice_.batches() * Hexahedron::corners),
       lane_planes_(lattice_.batches() * Hexahedron::corners * lanes) {
     find_labels(network);
@@ -27,6 +29,9 @@ void UnionTable::find_labels(const Network& network) {
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
         const bool alone = network.block().is_corner(network.entity(entity_of(m)), corner_of(m));
         label_[m.index()] = static_cast<std::uint8_t>(alone ? corner_of(m) : base_plane);
+    }
+    for (VertexSite v{0}; v.index() < touched_.size(); ++v) {
+        find_planes(v);
     }
 }
 
@@ -71,18 +76,20 @@ int UnionTable::mass_count(Slot s) const {
 std::vector<Slot> UnionTable::advanced() const {
     std::vector<Slot> all;
     for (VertexSite v{0}; v.index() < touched_.size(); ++v) {
-        unsigned in_use = 0;
-        for (int corner = 0; is_touched(v) && corner < Hexahedron::corners; ++corner) {
-            const LocalMass m = lattice_.mass_at(v, corner);
-            in_use |= m == LocalMass{} ? 0U : 1U << static_cast<unsigned>(label(m));
-        }
-        for (int plane = 0; plane < planes; ++plane) {
-            if ((in_use >> static_cast<unsigned>(plane) & 1U) != 0) {
-                all.push_back(slot_of(v, plane));
-            }
+        for (unsigned in_use = in_use_[v.index()]; in_use != 0; in_use &= in_use - 1) {
+            all.push_back(slot_of(v, std::countr_zero(in_use)));
         }
     }
     return all;
+}
+
+void UnionTable::find_planes(VertexSite v) {
+    unsigned in_use = 0;
+    for (int corner = 0; is_touched(v) && corner < Hexahedron::corners; ++corner) {
+        const LocalMass m = lattice_.mass_at(v, corner);
+        in_use |= m == LocalMass{} ? 0U : 1U << static_cast<unsigned>(label(m));
+    }
+    in_use_[v.index()] = static_cast<std::uint8_t>(in_use);
 }
 
 Slot UnionTable::assign(std::span<const LocalMass> part) {
@@ -94,6 +101,7 @@ Slot UnionTable::assign(std::span<const LocalMass> part) {
         label_[m.index()] = static_cast<std::uint8_t>(plane);
         update_batch(lattice_.site(entity_of(m)).index() / lanes, corner_of(m));
     }
+    find_planes(v);
     return slot_of(v, plane);
 }
 
@@ -123,7 +131,7 @@ void UnionTable::update_batch(std::size_t batch, int corner) {
 }
 
 std::size_t UnionTable::memory_bytes() const {
-    return lattice_.memory_bytes() + label_.capacity() + touched_.capacity() + batch_planes_.capacity() +
+    return lattice_.memory_bytes() + label_.capacity() + touched_.capacity() + in_use_.capacity() + batch_planes_.capacity() +
            lane_planes_.capacity();
 }
 

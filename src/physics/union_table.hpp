@@ -63,11 +63,13 @@ public:
 private:
     [[nodiscard]] LocalMass smallest_at(VertexSite v) const;
     void find_labels(const Network& network);
+    void find_planes(VertexSite v);
     void update_batch(std::size_t batch, int corner);
 
     Lattice lattice_;
     std::vector<std::uint8_t> label_;    ///< by local mass
     std::vector<std::uint8_t> touched_;  ///< by vertex site
+    std::vector<std::uint8_t> in_use_;   ///< by vertex site: bit p is set where plane p holds an advanced union
     std::vector<std::uint8_t> batch_planes_;
     std::vector<std::uint8_t> lane_planes_;
 };

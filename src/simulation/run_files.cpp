@@ -1,5 +1,7 @@
 #include "simulation/run_files.hpp"
 
+#include "core/errors.hpp"
+#include "core/text.hpp"
 #include "simulation/pictures.hpp"
 
 namespace cracksim::simulation {
@@ -79,7 +81,15 @@ void RunFiles::history(const Simulation& simulation) {
     });
 }
 
-void RunFiles::heartbeat(const Simulation& simulation) { progress_->heartbeat(simulation); }
+void RunFiles::heartbeat(const Simulation& simulation) {
+    progress_->heartbeat(simulation);
+    if (stop_.is_made(simulation.comm())) {
+        const physics::State& state = simulation.dynamics().state();
+        throw SharedError{"stopped at step " + std::to_string(state.step) + " of " +
+                          std::to_string(simulation.certified().steps) + " (t = " + rounded(state.time(), 6) +
+                          " s) by SIGTERM or SIGINT; what was written until then is whole"};
+    }
+}
 
 void RunFiles::finish() {
     for (const Series& series : series_) {

@@ -8,6 +8,7 @@
 #include "io/frame_writer.hpp"
 #include "io/history_writer.hpp"
 #include "io/run_directory.hpp"
+#include "partition/stop_request.hpp"
 #include "simulation/progress.hpp"
 #include "simulation/simulation.hpp"
 
@@ -22,6 +23,7 @@ public:
     void coat(const Simulation& simulation, const News& news) override;
     void frame(const Simulation& simulation) override;
     void history(const Simulation& simulation) override;
+    /// Throws SharedError if the run was asked to stop.
     void heartbeat(const Simulation& simulation) override;
 
     /// Completes the files that list others, at the end of a run. Collective.
@@ -39,6 +41,7 @@ private:
     io::HistoryWriter history_;
     std::vector<Series> series_;
     Progress* progress_;
+    partition::StopRequest stop_;
 };
 
 }  // namespace cracksim::simulation

@@ -36,8 +36,8 @@ void expect_consistent(const Network& network, const UnionTable& unions) {
                 found.insert(plane_of(unions.slot(m)));
             }
         }
-        ASSERT_FALSE(found.empty());
-        EXPECT_EQ(unions.batch_planes()[place], found.size() == 1 ? *found.begin() : UnionTable::mixed);
+        const int uniform = found.empty() ? base_plane : *found.begin();
+        EXPECT_EQ(unions.batch_planes()[place], found.size() < 2 ? uniform : UnionTable::mixed);
     }
 }
 
@@ -73,7 +73,7 @@ TEST(UnionTable, StaysConsistentWhileUnionsFallApart) {
     }
 }
 
-TEST(UnionTable, OfAnIntactBlockIsInOnePlaneExceptAtItsCorners) {
+TEST(UnionTable, OfAnIntactBlockIsInOnePlaneExceptForTheLoneMassesOfSevenCorners) {
     test::SerialBlock block;
     block.cells = {64, 3, 3};
     const Network network = block.network();
@@ -82,7 +82,7 @@ TEST(UnionTable, OfAnIntactBlockIsInOnePlaneExceptAtItsCorners) {
     for (std::size_t place = 0; place < unions.lattice().batches() * Hexahedron::corners; ++place) {
         other += unions.batch_planes()[place] == base_plane ? 0 : 1;
     }
-    EXPECT_EQ(other, 8);
+    EXPECT_EQ(other, 7);
 }
 
 }  // namespace
