@@ -16,7 +16,10 @@ HWY_INLINE T MultiplyAdd(std::size_t rounds) {
     const hn::ScalableTag<T> d;
     const auto a = hn::Set(d, static_cast<T>(0.999));
     const auto b = hn::Set(d, static_cast<T>(1e-3));
-    auto x0 = a, x1 = a, x2 = a, x3 = a, x4 = a, x5 = a, x6 = a, x7 = a, x8 = a, x9 = a, x10 = a, x11 = a;
+    // Each starts elsewhere: the compiler would make one chain of equal ones.
+    const auto start = [&](int chain) { return hn::Set(d, static_cast<T>(chain)); };
+    auto x0 = start(0), x1 = start(1), x2 = start(2), x3 = start(3), x4 = start(4), x5 = start(5);
+    auto x6 = start(6), x7 = start(7), x8 = start(8), x9 = start(9), x10 = start(10), x11 = start(11);
     for (std::size_t i = 0; i < rounds; ++i) {
         x0 = hn::MulAdd(x0, a, b);
         x1 = hn::MulAdd(x1, a, b);
@@ -31,8 +34,9 @@ HWY_INLINE T MultiplyAdd(std::size_t rounds) {
         x10 = hn::MulAdd(x10, a, b);
         x11 = hn::MulAdd(x11, a, b);
     }
-    const auto sum = hn::Add(hn::Add(hn::Add(x0, x1), hn::Add(x2, x3)),
-                             hn::Add(hn::Add(hn::Add(x4, x5), hn::Add(x6, x7)), hn::Add(hn::Add(x8, x9), hn::Add(x10, x11))));
+    const auto sum =
+        hn::Add(hn::Add(hn::Add(x0, x1), hn::Add(x2, x3)),
+                hn::Add(hn::Add(hn::Add(x4, x5), hn::Add(x6, x7)), hn::Add(hn::Add(x8, x9), hn::Add(x10, x11))));
     return hn::GetLane(hn::SumOfLanes(d, sum));
 }
 
@@ -146,7 +150,8 @@ MachineLimits measure_limits() {
     const std::size_t l3 = cache_bytes(3, 32U << 20U);
     // Half of a cache is surely its own; a shared L3 may be larger than what this core gets.
     const std::size_t memory = std::min(std::max<std::size_t>(4 * l3, std::size_t{1} << 28), std::size_t{1} << 30);
-    MachineLimits limits{gigaflops(false), gigaflops(true), {{"L1", l1 / 2}, {"L2", l2 / 2}, {"L3", l3 / 2}, {"memory", memory}}};
+    MachineLimits limits{
+        gigaflops(false), gigaflops(true), {{"L1", l1 / 2}, {"L2", l2 / 2}, {"L3", l3 / 2}, {"memory", memory}}};
     for (auto& triad : limits.triads) {
         triad.gigabytes = triad_gigabytes(triad.bytes);
     }

@@ -9,9 +9,9 @@ namespace cracksim::test {
 /// What one core can do at most, measured now.
 struct MachineLimits {
     struct Triad {
-        std::string where;   ///< the cache or memory that holds the data
-        std::size_t bytes;   ///< of the three arrays
-        double gigabytes{0}; ///< per second, of the three numbers that a[i] = b[i] + s c[i] names
+        std::string where;    ///< the cache or memory that holds the data
+        std::size_t bytes;    ///< of the three arrays
+        double gigabytes{0};  ///< per second, of the three numbers that a[i] = b[i] + s c[i] names
     };
 
     double double_gigaflops{0};  ///< multiplications and additions of FMA in the widest vectors

@@ -1,7 +1,6 @@
 // CGAL's generalized map of a block: build and sew, walks, unsew. Rows of the table of tests/bench/run.sh.
 #include <CGAL/Generalized_map.h>
 #include <CGAL/version.h>
-#include <malloc.h>
 
 #include <algorithm>
 #include <array>
@@ -29,9 +28,7 @@ struct Faces {
 };
 
 /// A dart of the next face around: over the edge, along it, and on.
-Dart on_opposite_face(Map& map, Dart dart) {
-    return map.alpha<2, 1, 0, 1, 2>(dart);
-}
+Dart on_opposite_face(Map& map, Dart dart) { return map.alpha<2, 1, 0, 1, 2>(dart); }
 
 /// On the first face, on one beside it, and on the third that meets both; each with its opposite.
 Faces faces_of(Map& map, Dart first) {
@@ -74,8 +71,8 @@ double seconds_of(const std::function<void()>& action) {
 
 void print_row(const char* name, std::vector<double> values, const char* unit, const std::string& remark) {
     std::ranges::sort(values);
-    std::printf("CGAL %s generalized map\t%s\t%.4g\t%.4g\t%.4g\t%s\t%s\n", CGAL_VERSION_STR, name, values[values.size() / 2],
-                values.front(), values.back(), unit, remark.c_str());
+    std::printf("CGAL %s generalized map\t%s\t%.4g\t%.4g\t%.4g\t%s\t%s\n", CGAL_VERSION_STR, name,
+                values[values.size() / 2], values.front(), values.back(), unit, remark.c_str());
 }
 
 /// Darts that the orbits of all darts not seen before have; as one walks all cells.
@@ -117,31 +114,24 @@ void measure_once(std::array<std::size_t, 3> cells, Samples& samples, std::uint6
     samples.unsew.push_back(1e-6 * static_cast<double>(block->sewn.size()) / unsew_seconds);
 }
 
-std::size_t heap_bytes() {
-    const auto info = mallinfo2();
-    return info.uordblks + info.hblkhd;
-}
-
-/// The sewing must be that of a block: as many vertices as it has, one component. Returns bytes a hexahedron, without the lists of this file.
+/// The sewing must be that of a block: as many vertices as it has, one component. Returns bytes a hexahedron.
 double check_and_weigh(std::array<std::size_t, 3> cells) {
-    const std::size_t before = heap_bytes();
     const Block block{cells};
-    const std::size_t lists = block.faces.capacity() * sizeof(Faces) + block.sewn.capacity() * sizeof(Dart);
-    const std::size_t bytes = heap_bytes() - before - lists;
     const auto counts = block.map.count_cells({0, 4});
     if (counts[0] != (cells[0] + 1) * (cells[1] + 1) * (cells[2] + 1) || counts[4] != 1 || !block.map.is_valid()) {
         std::fprintf(stderr, "CGAL's map is not that of a block: %zu vertices, %zu components\n",
                      static_cast<std::size_t>(counts[0]), static_cast<std::size_t>(counts[4]));
         std::exit(1);
     }
-    return static_cast<double>(bytes) / static_cast<double>(block.faces.size());
+    return static_cast<double>(block.map.bytes()) / static_cast<double>(block.faces.size());
 }
 
 }  // namespace
 
 int main(int argc, char**) {
     const bool quick = argc > 1;
-    const std::array<std::size_t, 3> cells = quick ? std::array<std::size_t, 3>{14, 14, 5} : std::array<std::size_t, 3>{70, 70, 10};
+    const std::array<std::size_t, 3> cells =
+        quick ? std::array<std::size_t, 3>{14, 14, 5} : std::array<std::size_t, 3>{70, 70, 10};
     const double bytes = check_and_weigh(cells);
     Samples samples;
     for (std::uint64_t round = 0; round < (quick ? 1 : rounds); ++round) {
