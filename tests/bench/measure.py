@@ -69,15 +69,19 @@ class Workplace:
 
     def cracksim(self, binary, scene, ranks):
         """summary.json of a run and its directory, which the next run replaces."""
-        name = "scene.yaml"
-        if isinstance(scene, dict):
-            # JSON is YAML but for its infinity.
-            (self.path / name).write_text(json.dumps(scene).replace("Infinity", ".inf"), encoding="utf-8")
-        else:
-            name = scene
         directory = self.path / "run"
-        self.run(ranks, pathlib.Path(binary).resolve(), name, "--out", directory, "--quiet")
+        self.cracksim_says(binary, scene, ranks, "--out", directory, "--quiet")
         return json.loads((directory / "summary.json").read_text(encoding="utf-8")), directory
+
+    def cracksim_says(self, binary, scene, ranks, *options):
+        """What it prints; scene: a file, or what is to be in it."""
+        if isinstance(scene, dict):
+            file = self.path / "scene.yaml"
+            # JSON is YAML but for its infinity.
+            file.write_text(json.dumps(scene).replace("Infinity", ".inf"), encoding="utf-8")
+        else:
+            file = scene
+        return self.run(ranks, pathlib.Path(binary).resolve(), file, *options)
 
 
 def step_milliseconds(summary):
