@@ -105,6 +105,10 @@ def ratio(above, below):
     return Spread(statistics.median(above) / statistics.median(below), min(pairs), max(pairs))
 
 
+def on_ranks(count):
+    return f"{count} rank{'s' if count > 1 else ''}"
+
+
 def print_row(group, case, spread, unit, remark=""):
     """A line of the table that table.py lays out."""
     print(group, case, *(f"{value:.4g}" for value in spread), unit, remark, sep="\t", flush=True)

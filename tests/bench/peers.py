@@ -7,7 +7,7 @@ import sys
 
 from lammps import Lammps, read_positions
 from lattice import Lattice
-from measure import ROOT, Spread, Workplace, alternate, intact_scene, print_row, ratio, step_milliseconds
+from measure import ROOT, Spread, Workplace, alternate, intact_scene, on_ranks, print_row, ratio, step_milliseconds
 
 sys.path.insert(0, str(ROOT / "tests"))
 from runs.runner import dataset, last_frame  # noqa: E402
@@ -44,7 +44,7 @@ def check_motion(workplace, cracksim, peer, steps):
         difference = largest_difference(peer.lattice, atoms, dataset(last_frame(directory, "masses"), "/VTKHDF/Points"))
         moved = max(abs(a - b) for atom, place in zip(atoms[1:], peer.lattice.atoms())
                     for a, b in zip(atom, peer.lattice.position(place)))
-        print_row("LAMMPS", f"difference of positions after {steps} steps, {ranks} ranks", [difference] * 3, "edges",
+        print_row("LAMMPS", f"difference of positions after {steps} steps, {on_ranks(ranks)}", [difference] * 3, "edges",
                   f"must be below {FARTHEST:g}; the farthest moved {moved / peer.lattice.edge:.2g}")
         if not difference < FARTHEST or not moved > 1e3 * FARTHEST * peer.lattice.edge:
             raise SystemExit("LAMMPS and cracksim do not compute the same motion")
@@ -57,15 +57,17 @@ def fastest_newton(peer, steps):
     return min(times, key=lambda newton: min(times[newton]))
 
 
-def compare(workplace, cracksim, peer, scene, script, names, ranks, options):
-    """Rows of both programs and of the ratio of their times."""
-    times = alternate(
-        {"peer": lambda: peer.milliseconds(script, ranks, options.steps),
-         "own": lambda: step_milliseconds(workplace.cracksim(cracksim, scene, ranks)[0])}, options.pairs)
-    on = f", {ranks} rank{'s' if ranks > 1 else ''}"
-    print_row("LAMMPS", names[0] + on, Spread.of(times["peer"]), "ms/step")
-    print_row("LAMMPS", names[1] + on, Spread.of(times["own"]), "ms/step")
-    print_row("LAMMPS", f"ratio{on}", ratio(times["peer"], times["own"]), "times", "LAMMPS' time over cracksim's")
+def compare(workplace, options, peer, ranks, peer_name, script, scenes):
+    """Rows of LAMMPS, of cracksim on some scenes, and of the ratios of their times; all take turns."""
+    subjects = {peer_name: lambda: peer.milliseconds(script, ranks, options.steps)}
+    for name, scene in scenes.items():
+        subjects[name] = lambda scene=scene: step_milliseconds(workplace.cracksim(options.cracksim, scene, ranks)[0])
+    times = alternate(subjects, options.pairs)
+    for name, values in times.items():
+        print_row("LAMMPS", f"{name}, {on_ranks(ranks)}", Spread.of(values), "ms/step")
+        if name != peer_name:
+            print_row("LAMMPS", f"{name}, {on_ranks(ranks)}: ratio", ratio(times[peer_name], values), "times",
+                      f"time of {peer_name} over this one")
 
 
 def main():
@@ -81,17 +83,19 @@ def main():
     workplace = Workplace()
     peer = Lammps(workplace, options.lammps, Lattice(plain_scene(1)))
     check_motion(workplace, options.cracksim, peer, options.steps)
+    print(f"{options.lammps}: LAMMPS {peer.version()}", file=sys.stderr)
     newton = fastest_newton(peer, options.steps)
+    damped = {"cracksim, damped, sensing": intact_scene(CELLS, options.steps)}
+    undamped = {"cracksim, undamped, unbreakable": plain_scene(options.steps)}
     for ranks in (1, 2):
-        compare(workplace, options.cracksim, peer, plain_scene(options.steps), peer.harmonic(options.steps, newton),
-                (f"harmonic + nve, newton {newton}, LAMMPS {peer.version()}", "cracksim, undamped, unbreakable"), ranks, options)
+        compare(workplace, options, peer, ranks, f"harmonic + nve, newton {newton}", peer.harmonic(options.steps, newton),
+                undamped | damped)
     if not peer.has("bpm/spring"):
         print(f"{options.lammps} has no bpm/spring (the package BPM, since May 2022): no row of it", file=sys.stderr)
         return
-    damped = Lammps(workplace, options.lammps, Lattice(intact_scene(CELLS, 1)))
+    breakable = Lammps(workplace, options.lammps, Lattice(intact_scene(CELLS, 1)))
     for ranks in (1, 2):
-        compare(workplace, options.cracksim, damped, intact_scene(CELLS, options.steps), damped.breakable(options.steps),
-                ("bpm/spring + nve", "cracksim, damped, sensing"), ranks, options)
+        compare(workplace, options, breakable, ranks, "bpm/spring + nve", breakable.breakable(options.steps), damped)
 
 
 if __name__ == "__main__":

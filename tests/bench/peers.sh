@@ -10,6 +10,6 @@ done
 jobs/setup.sh build test long
 jobs/build.sh long cracksim peers_cgal
 {
-    /usr/bin/python3 tests/bench/peers.py build/release/cracksim "$@"
+    python3 tests/bench/peers.py build/release/cracksim "$@"
     build/release/tests/peers_cgal "${quick[@]}"
-} | /usr/bin/python3 tests/bench/table.py
+} | python3 tests/bench/table.py

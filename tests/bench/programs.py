@@ -8,7 +8,7 @@ import re
 import sys
 from typing import Callable, NamedTuple
 
-from measure import ROOT, Spread, Workplace, alternate, intact_scene, print_row, ratio, step_milliseconds
+from measure import ROOT, Spread, Workplace, alternate, intact_scene, on_ranks, print_row, ratio, step_milliseconds
 
 MILLION = (100, 100, 100)
 TWENTY_MILLION = (200, 200, 500)
@@ -44,6 +44,12 @@ def cases(quick):
             yield Case("fully split", split_scene(cells, max(2, count // 4)), steady_milliseconds, **few)
 
 
+def phases(seconds):
+    """Where the time of a run went, in words."""
+    rest = {name: spent for name, spent in seconds.items() if name != "total"}
+    return "in s: " + ", ".join(f"{name} {spent:.2f}" for name, spent in rest.items() if spent >= 0.01 * seconds["total"])
+
+
 def entities_of(scene):
     x, y, z = scene["block"]["cells"]
     return x * y * z
@@ -54,10 +60,6 @@ def available_gigabytes():
         if line.startswith("MemAvailable:"):
             return 1024e-9 * int(line.split()[1])
     return 0.0
-
-
-def on_ranks(count):
-    return f"{count} rank{'s' if count > 1 else ''}"
 
 
 class Measurements:
@@ -135,7 +137,8 @@ class Measurements:
         self.print_times(group, case, times, summaries)
         own = {ranks: values[::2] if self.options.against and ranks == 1 else values for ranks, values in factors.items()}
         for ranks, values in own.items():
-            print_row(group, f"all, coat and files at 50 Hz, {on_ranks(ranks)}", Spread.of(values), "times real time")
+            print_row(group, f"all, coat and files at 50 Hz, {on_ranks(ranks)}", Spread.of(values), "times real time",
+                      phases(summaries[ranks]["seconds"]))
         print_row(group, "all, gain of 2 ranks", ratio(own[2], own[1]), "times")
 
 

@@ -25,9 +25,9 @@ trap 'rm -f "$rows"' EXIT
 {
     build/release/tests/machine_bench
     build/release/tests/physics_bench "${physics[@]}"
-    /usr/bin/python3 tests/bench/peers.py build/release/cracksim "${lammps[@]}" "${quick[@]}"
+    python3 tests/bench/peers.py build/release/cracksim "${lammps[@]}" "${quick[@]}"
     build/release/tests/peers_cgal "${quick[@]}"
-    /usr/bin/python3 tests/bench/programs.py build/release/cracksim "${against[@]}" "${quick[@]}"
+    python3 tests/bench/programs.py build/release/cracksim "${against[@]}" "${quick[@]}"
 } | tee "$rows" >&2
 echo
-/usr/bin/python3 tests/bench/table.py <"$rows"
+python3 tests/bench/table.py <"$rows"
