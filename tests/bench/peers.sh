@@ -2,14 +2,20 @@
 # cracksim and CGAL, LAMMPS on the same block. Usage: tests/bench/peers.sh [--lammps PATH] [--pairs N] [--quick]
 # --lammps: another build than Debian's, such as one with the package BPM; with the MPI of cracksim.
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+options=()
 quick=()
-for argument in "$@"; do
-    [[ $argument != --quick ]] || quick=(quick)
+while [[ $# -gt 0 ]]; do
+    case $1 in
+        --lammps) options+=(--lammps "$(realpath "$(command -v "$2")")"); shift 2 ;;
+        --pairs) options+=(--pairs "$2"); shift 2 ;;
+        --quick) options+=(--quick); quick=(quick); shift ;;
+        *) echo "usage: tests/bench/peers.sh [--lammps PATH] [--pairs N] [--quick]" >&2; exit 2 ;;
+    esac
 done
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 jobs/setup.sh build test long
 jobs/build.sh long cracksim peers_cgal
 {
-    python3 tests/bench/peers.py build/release/cracksim "$@"
+    python3 tests/bench/peers.py build/release/cracksim "${options[@]}"
     build/release/tests/peers_cgal "${quick[@]}"
 } | python3 tests/bench/table.py

@@ -2,18 +2,18 @@
 # All measurements of speed and memory, as one table; README.md says what each asks. On a machine that does nothing else: half an hour.
 # Usage: tests/bench/run.sh [--lammps PATH] [--against CRACKSIM] [--quick]
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 lammps=()
 against=()
 quick=()
 while [[ $# -gt 0 ]]; do
     case $1 in
-        --lammps) lammps=(--lammps "$2"); shift 2 ;;
-        --against) against=(--against "$2"); shift 2 ;;
+        --lammps) lammps=(--lammps "$(realpath "$(command -v "$2")")"); shift 2 ;;
+        --against) against=(--against "$(realpath "$2")"); shift 2 ;;
         --quick) quick=(--quick); shift ;;
         *) echo "usage: tests/bench/run.sh [--lammps PATH] [--against CRACKSIM] [--quick]" >&2; exit 2 ;;
     esac
 done
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 jobs/setup.sh build test long
 jobs/build.sh long cracksim machine_bench physics_bench peers_cgal
 
