@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <ranges>
 #include <span>
+#include <utility>
 
 #include "geometry/fragments.hpp"
 #include "topology/components.hpp"
@@ -17,101 +17,123 @@ namespace {
 
 std::int64_t face_key(LocalEntity e, int face) { return std::int64_t{e.value()} * Hexahedron::faces + face; }
 
-/// Lowers labels on every rank until no rank changes one. lower(labels) -> did anything change. Collective.
-IdArray<LocalEntity, EntityId> agree_on_labels(const partition::Communicator& comm,
-                                               const partition::Decomposition& decomposition,
-                                               const partition::Halo& halo, auto&& lower) {
-    IdArray<LocalEntity, EntityId> labels = decomposition.entities;
-    bool changed = true;
-    while (comm.any(changed)) {
-        changed = lower(labels);
-        halo.update(labels.span());
-    }
+IdArray<LocalEntity, EntityId> components_here(const topology::GMap& map, const partition::Decomposition& d) {
+    IdArray<LocalEntity, EntityId> labels = d.entities;
+    topology::lower_to_component(map, d.owned.span(), labels);
     return labels;
 }
 
-std::int64_t count_labels(const partition::Communicator& comm, const partition::Decomposition& decomposition,
-                          const IdArray<LocalEntity, EntityId>& labels) {
-    std::int64_t count = 0;
-    for (LocalEntity e{0}; e.index() < labels.size(); ++e) {
-        count += decomposition.owned[e] != 0 && labels[e] == decomposition.entities[e] ? 1 : 0;
-    }
-    return comm.sum(count);
+IdArray<LocalEntity, EntityId> fragments_here(const geometry::SharedUnions& unions, const partition::Decomposition& d) {
+    IdArray<LocalEntity, EntityId> labels = d.entities;
+    geometry::lower_to_fragment(unions.pairs(), labels);
+    return labels;
 }
 
-/// The masses of each advanced union, one after the other in the same buffer.
-auto advanced_unions(const physics::UnionTable& unions, std::vector<LocalMass>& buffer) {
-    return std::views::iota(unions.first_advanced().value(), unions.end().value()) |
-           std::views::transform([&](std::int32_t s) -> std::span<const LocalMass> {
-               unions.masses(physics::Slot{s}, buffer);
-               return buffer;
-           });
-}
+/// What the owner of an entity tells those who hold it as halo.
+struct Mask {
+    EntityId entity;
+    std::uint8_t sewn;
+};
 
 }  // namespace
 
-Coat::Coat(const partition::Communicator& comm, const Block& block, const partition::Decomposition& decomposition)
+Coat::Coat(const partition::Communicator& comm, const Block& block, const partition::Decomposition& decomposition,
+           geometry::SharedUnions unions)
     : comm_{&comm},
       decomposition_{&decomposition},
       block_{block},
       halo_{comm, decomposition},
-      map_{topology::construct(block, decomposition.entities.span())} {}
+      map_{topology::construct(block, decomposition.entities.span())},
+      unions_{std::move(unions)},
+      search_{decomposition.entities.size()},
+      components_{comm, decomposition, halo_, components_here(map_, decomposition)},
+      fragments_{comm, decomposition, halo_, fragments_here(unions_, decomposition)} {}
 
-void Coat::modify(const physics::SplitStream& splits, const physics::UnionTable& unions) {
-    const bool labelled = component_count_ > 0;
-    if (comm_->sum(static_cast<std::int64_t>(splits.size())) == 0 && labelled) {
+void Coat::modify(const physics::SplitStream& splits) {
+    if (comm_->sum(static_cast<std::int64_t>(splits.size())) == 0) {
         return;
     }
-    for (const topology::UnsewnFace& face : topology::modify(map_, splits).unsewn) {
+    const topology::Changes changes = topology::modify(map_, splits);
+    note_opened(changes);
+    share_masks(changes);
+    std::array<std::int64_t, 2> parted{cut_components(changes) ? 1 : 0, cut_fragments(splits) ? 1 : 0};
+    comm_->sum(parted);
+    if (parted[0] != 0) {
+        components_.agree();
+    }
+    if (parted[1] != 0) {
+        fragments_.agree();
+    }
+}
+
+void Coat::note_opened(const topology::Changes& changes) {
+    std::array<std::int64_t, 3> opened{};
+    for (const topology::UnsewnFace& face : changes.unsewn) {
         opened_at_.emplace(face_key(face.entity, face.face), face.time);
         opened_at_.emplace(face_key(face.neighbour, face.neighbour_face), face.time);
+        opened[static_cast<std::size_t>(face.face / 2)] += decomposition_->owned[face.entity] != 0 ? 1 : 0;
     }
-    share_masks();
-    label_components();
-    label_fragments(unions);
-    measure_cracks();
-}
-
-void Coat::share_masks() {
-    std::vector<std::uint8_t> masks(decomposition_->entities.size());
-    for (LocalEntity e{0}; e.index() < masks.size(); ++e) {
-        masks[e.index()] = map_.sewn_mask(e);
-    }
-    halo_.update<std::uint8_t>(masks);
-    for (const LocalEntity e : halo_.received()) {
-        map_.set_sewn_mask(e, masks[e.index()]);
+    comm_->sum(opened);
+    for (std::size_t axis = 0; axis < opened.size(); ++axis) {
+        opened_[axis] += opened[axis];
     }
 }
 
-void Coat::label_components() {
-    components_ = agree_on_labels(*comm_, *decomposition_, halo_, [&](auto& labels) {
-        return topology::lower_to_component(map_, decomposition_->owned.span(), labels);
-    });
-    component_count_ = count_labels(*comm_, *decomposition_, components_);
-}
-
-void Coat::label_fragments(const physics::UnionTable& unions) {
-    std::vector<LocalMass> buffer;
-    const auto all = advanced_unions(unions, buffer);
-    fragments_ = agree_on_labels(*comm_, *decomposition_, halo_,
-                                 [&](auto& labels) { return geometry::lower_to_fragment(all, labels); });
-    fragment_count_ = count_labels(*comm_, *decomposition_, fragments_);
-}
-
-void Coat::measure_cracks() {
-    std::array<std::int64_t, 3> opened{};
-    for (LocalEntity e{0}; e.index() < decomposition_->entities.size(); ++e) {
-        for (int face = 0; decomposition_->owned[e] != 0 && face < Hexahedron::faces; ++face) {
-            const auto other = block_.neighbour(decomposition_->entities[e], face);
-            const bool counted_here = other && decomposition_->entities[e] < other->entity;
-            opened[static_cast<std::size_t>(face / 2)] += counted_here && !map_.is_sewn(e, face) ? 1 : 0;
+void Coat::share_masks(const topology::Changes& changes) {
+    std::vector<std::vector<Mask>> outgoing(static_cast<std::size_t>(comm_->size()));
+    const auto tell = [&](LocalEntity e) {
+        for (const Rank holder : decomposition_->owned[e] != 0 ? halo_.holders(e) : std::span<const Rank>{}) {
+            outgoing[holder.index()].push_back({decomposition_->entities[e], map_.sewn_mask(e)});
+        }
+    };
+    for (const topology::UnsewnFace& face : changes.unsewn) {
+        tell(face.entity);
+        tell(face.neighbour);
+    }
+    for (const auto& masks : comm_->exchange(outgoing)) {
+        for (const Mask& mask : masks) {
+            map_.set_sewn_mask(*find_local(decomposition_->entities, mask.entity), mask.sewn);
         }
     }
-    crack_area_ = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        crack_area_ +=
-            static_cast<double>(comm_->sum(opened[static_cast<std::size_t>(axis)])) * block_.face_area(2 * axis);
+}
+
+// A face between two halo entities is no link here: their owners know of it.
+bool Coat::cut_components(const topology::Changes& changes) {
+    const auto owned = [&](LocalEntity e) { return decomposition_->owned[e] != 0; };
+    std::vector<LocalEntity> at;
+    for (const topology::UnsewnFace& face : changes.unsewn) {
+        if (owned(face.entity) || owned(face.neighbour)) {
+            at.insert(at.end(), {face.entity, face.neighbour});
+        }
     }
+    return components_.cut(std::move(at), search_, [&](LocalEntity e, const auto& visit) {
+        for (int face = 0; face < topology::Cell::faces; ++face) {
+            if (map_.leads_on(e, face) && (owned(e) || owned(map_.link(e, face).entity()))) {
+                visit(map_.link(e, face).entity());
+            }
+        }
+    });
+}
+
+bool Coat::cut_fragments(const physics::SplitStream& splits) {
+    std::vector<LocalEntity> at;
+    for (std::size_t s = 0; s < splits.size(); ++s) {
+        for (std::size_t part = 0; part < splits.parts(s); ++part) {
+            unions_.set(splits.part(s, part));
+            at.push_back(entity_of(splits.part(s, part).front()));
+        }
+    }
+    return fragments_.cut(std::move(at), search_, [&](LocalEntity e, const auto& visit) {
+        unions_.for_each_neighbour(e, visit);
+    });
+}
+
+double Coat::crack_area() const {
+    double area = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        area += static_cast<double>(opened_[static_cast<std::size_t>(axis)]) * block_.face_area(2 * axis);
+    }
+    return area;
 }
 
 double Coat::opened_at(LocalEntity e, int face) const {
@@ -120,8 +142,12 @@ double Coat::opened_at(LocalEntity e, int face) const {
 }
 
 std::vector<geometry::LabelSize> Coat::largest_fragments(std::size_t count) const {
+    IdArray<LocalEntity, EntityId> labels(decomposition_->entities.size());
+    for (LocalEntity e{0}; e.index() < labels.size(); ++e) {
+        labels[e] = decomposition_->owned[e] != 0 ? fragment(e) : EntityId{};
+    }
     const double entity_volume = block_.volume() / static_cast<double>(block_.entity_count());
-    const auto here = geometry::label_sizes(fragments_, decomposition_->owned.span(), entity_volume);
+    const auto here = geometry::label_sizes(labels, decomposition_->owned.span(), entity_volume);
     std::map<EntityId, std::int64_t> entities;
     for (const geometry::LabelSize& size : comm_->gather<geometry::LabelSize>(here)) {
         entities[size.label] += size.entities;
@@ -133,6 +159,11 @@ std::vector<geometry::LabelSize> Coat::largest_fragments(std::size_t count) cons
     std::ranges::stable_sort(all, [](const auto& a, const auto& b) { return a.entities > b.entities; });
     all.resize(std::min(all.size(), count));
     return all;
+}
+
+std::size_t Coat::memory_bytes() const {
+    return map_.memory_bytes() + unions_.memory_bytes() + search_.memory_bytes() + components_.memory_bytes() +
+           fragments_.memory_bytes();
 }
 
 }  // namespace cracksim::simulation
