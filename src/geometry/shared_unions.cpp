@@ -16,4 +16,16 @@ void SharedUnions::set(std::span<const LocalMass> masses) {
     }
 }
 
+bool SharedUnions::joins(LocalEntity a, LocalEntity b) const {
+    for (int corner = 0; corner < Hexahedron::corners; ++corner) {
+        const LocalMass mass = local_mass(a, corner);
+        for (LocalMass m = next_[mass]; m != mass; m = next_[m]) {
+            if (entity_of(m) == b) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 }  // namespace cracksim::geometry

@@ -33,6 +33,8 @@ public:
         }
     }
 
+    [[nodiscard]] bool joins(LocalEntity a, LocalEntity b) const;
+
     /// Each mass with the next one of its union: pairs that join what the unions join.
     [[nodiscard]] auto pairs() const {
         return std::views::iota(std::int32_t{0}, static_cast<std::int32_t>(next_.size())) |

@@ -6,8 +6,6 @@
 #include <span>
 #include <utility>
 
-#include "geometry/fragments.hpp"
-#include "topology/components.hpp"
 #include "topology/construct.hpp"
 #include "topology/modify.hpp"
 
@@ -17,17 +15,30 @@ namespace {
 
 std::int64_t face_key(LocalEntity e, int face) { return std::int64_t{e.value()} * Hexahedron::faces + face; }
 
-IdArray<LocalEntity, EntityId> components_here(const topology::GMap& map, const partition::Decomposition& d) {
-    IdArray<LocalEntity, EntityId> labels = d.entities;
-    topology::lower_to_component(map, d.owned.span(), labels);
-    return labels;
-}
+/// Sewn faces with an owned entity on one side: of one between two halo entities their owners know.
+class SewnFaces {
+public:
+    SewnFaces(const topology::GMap& map, const partition::Decomposition& decomposition)
+        : map_{map}, owned_{decomposition.owned} {}
 
-IdArray<LocalEntity, EntityId> fragments_here(const geometry::SharedUnions& unions, const partition::Decomposition& d) {
-    IdArray<LocalEntity, EntityId> labels = d.entities;
-    geometry::lower_to_fragment(unions.pairs(), labels);
-    return labels;
-}
+    void for_each_neighbour(LocalEntity e, const auto& visit) const {
+        for (int face = 0; face < topology::Cell::faces; ++face) {
+            if (map_.leads_on(e, face) && is_known(e, map_.link(e, face).entity())) {
+                visit(map_.link(e, face).entity());
+            }
+        }
+    }
+    [[nodiscard]] bool joins(LocalEntity a, LocalEntity b) const {
+        bool found = false;
+        for_each_neighbour(a, [&](LocalEntity other) { found = found || other == b; });
+        return found;
+    }
+    [[nodiscard]] bool is_known(LocalEntity a, LocalEntity b) const { return owned_[a] != 0 || owned_[b] != 0; }
+
+private:
+    const topology::GMap& map_;
+    const IdArray<LocalEntity, std::uint8_t>& owned_;
+};
 
 /// What the owner of an entity tells those who hold it as halo.
 struct Mask {
@@ -46,8 +57,8 @@ Coat::Coat(const partition::Communicator& comm, const Block& block, const partit
       map_{topology::construct(block, decomposition.entities.span())},
       unions_{std::move(unions)},
       search_{decomposition.entities.size()},
-      components_{comm, decomposition, halo_, components_here(map_, decomposition)},
-      fragments_{comm, decomposition, halo_, fragments_here(unions_, decomposition)} {}
+      components_{comm, decomposition, halo_, SewnFaces{map_, decomposition}},
+      fragments_{comm, decomposition, halo_, unions_} {}
 
 void Coat::modify(const physics::SplitStream& splits) {
     if (comm_->sum(static_cast<std::int64_t>(splits.size())) == 0) {
@@ -97,22 +108,15 @@ void Coat::share_masks(const topology::Changes& changes) {
     }
 }
 
-// A face between two halo entities is no link here: their owners know of it.
 bool Coat::cut_components(const topology::Changes& changes) {
-    const auto owned = [&](LocalEntity e) { return decomposition_->owned[e] != 0; };
+    const SewnFaces links{map_, *decomposition_};
     std::vector<LocalEntity> at;
     for (const topology::UnsewnFace& face : changes.unsewn) {
-        if (owned(face.entity) || owned(face.neighbour)) {
+        if (links.is_known(face.entity, face.neighbour)) {
             at.insert(at.end(), {face.entity, face.neighbour});
         }
     }
-    return components_.cut(std::move(at), search_, [&](LocalEntity e, const auto& visit) {
-        for (int face = 0; face < topology::Cell::faces; ++face) {
-            if (map_.leads_on(e, face) && (owned(e) || owned(map_.link(e, face).entity()))) {
-                visit(map_.link(e, face).entity());
-            }
-        }
-    });
+    return components_.cut(at, search_, links);
 }
 
 bool Coat::cut_fragments(const physics::SplitStream& splits) {
@@ -120,12 +124,12 @@ bool Coat::cut_fragments(const physics::SplitStream& splits) {
     for (std::size_t s = 0; s < splits.size(); ++s) {
         for (std::size_t part = 0; part < splits.parts(s); ++part) {
             unions_.set(splits.part(s, part));
-            at.push_back(entity_of(splits.part(s, part).front()));
+            for (const LocalMass mass : splits.part(s, part)) {
+                at.push_back(entity_of(mass));
+            }
         }
     }
-    return fragments_.cut(std::move(at), search_, [&](LocalEntity e, const auto& visit) {
-        unions_.for_each_neighbour(e, visit);
-    });
+    return fragments_.cut(at, search_, unions_);
 }
 
 double Coat::crack_area() const {

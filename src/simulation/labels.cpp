@@ -8,15 +8,6 @@ namespace cracksim::simulation {
 
 using topology::Piece;
 
-Labels::Labels(const partition::Communicator& comm, const partition::Decomposition& decomposition,
-               const partition::Halo& halo, const IdArray<LocalEntity, EntityId>& local_labels)
-    : comm_{&comm},
-      decomposition_{&decomposition},
-      halo_{&halo},
-      pieces_{local_labels, decomposition.owned.span()} {
-    agree();
-}
-
 EntityId Labels::name(Piece piece) const {
     const LocalEntity smallest = pieces_.smallest_owned(piece);
     return smallest == LocalEntity{} ? EntityId{} : decomposition_->entities[smallest];
@@ -78,6 +69,8 @@ void Labels::label_joined(const std::vector<Joint>& all) {
     count_ = comm_->sum(pieces_.owned_count()) - joined;
 }
 
-std::size_t Labels::memory_bytes() const { return pieces_.memory_bytes() + joined_label_.capacity() * sizeof(EntityId); }
+std::size_t Labels::memory_bytes() const {
+    return pieces_.memory_bytes() + joined_label_.capacity() * sizeof(EntityId);
+}
 
 }  // namespace cracksim::simulation

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "core/id_array.hpp"
@@ -19,16 +19,20 @@ namespace cracksim::simulation {
 /// ranks need to talk only when a piece of one of them falls apart, and then about pieces, not entities.
 class Labels {
 public:
-    /// local_labels: the same for two local entities exactly if links between local entities join them. Every link must be
-    /// known to a rank that owns an entity at one of its ends. Collective; all arguments but the last must outlive this.
+    /// links: between local entities, see topology::Pieces; each must be known to a rank that owns an entity at one of its
+    /// ends. Collective; all arguments but the last must outlive this.
+    template <class Links>
     Labels(const partition::Communicator& comm, const partition::Decomposition& decomposition,
-           const partition::Halo& halo, const IdArray<LocalEntity, EntityId>& local_labels);
+           const partition::Halo& halo, const Links& links)
+        : comm_{&comm}, decomposition_{&decomposition}, halo_{&halo}, pieces_{decomposition.owned.span(), links} {
+        agree();
+    }
 
-    /// Tells at which entities links were cut. For neighbours see topology::PartingSearch. True if a piece of this rank
-    /// fell apart: then agree() must be called on all ranks before labels are asked for.
-    template <class Neighbours>
-    [[nodiscard]] bool cut(std::vector<LocalEntity> at, topology::PartingSearch& search, const Neighbours& neighbours) {
-        return pieces_.part(std::move(at), search, neighbours);
+    /// Tells the entities at both ends of all links that were cut. True if a piece of this rank fell apart: then agree()
+    /// must be called on all ranks before labels are asked for.
+    template <class Links>
+    [[nodiscard]] bool cut(std::span<const LocalEntity> at, topology::PartingSearch& search, const Links& links) {
+        return pieces_.part(at, search, links);
     }
     /// Collective.
     void agree();

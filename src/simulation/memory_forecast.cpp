@@ -50,11 +50,12 @@ double state_bytes(const PartLoad& load, physics::Scheme scheme, double opened) 
     return number(load.local) * per_entity + slots * per_slot + number(load.interfaces);
 }
 
-/// Links, masks, unions by mass, the search for what came off, two pieces an entity, and the times at which faces were opened.
+/// Links, masks, unions by mass, the search for what came off, twice a tree and pieces, and the times at which faces were opened.
 double coat_bytes(const PartLoad& load, double opened) {
     constexpr double search = sizeof(LocalEntity) + sizeof(std::int32_t);
     constexpr double per_entity = Hexahedron::faces * sizeof(topology::FaceLink) + sizeof(std::uint8_t) +
-                                  Hexahedron::corners * sizeof(LocalMass) + search + 2 * sizeof(topology::Piece);
+                                  Hexahedron::corners * sizeof(LocalMass) + search +
+                                  2 * (sizeof(LocalEntity) + sizeof(topology::Piece));
     return number(load.local) * per_entity + 2 * opened * number(load.interfaces) * hash_node;
 }
 

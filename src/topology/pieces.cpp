@@ -1,33 +1,12 @@
 #include "topology/pieces.hpp"
 
 #include <algorithm>
-#include <unordered_map>
-
-#include "core/contracts.hpp"
 
 namespace cracksim::topology {
 
-Pieces::Pieces(const IdArray<LocalEntity, EntityId>& labels, std::span<const std::uint8_t> owned)
-    : owned_{owned}, piece_(labels.size()) {
-    CRACKSIM_EXPECT(owned.size() == labels.size());
-    std::unordered_map<EntityId, Piece> by_label;
-    for (LocalEntity e{0}; e.index() < labels.size(); ++e) {
-        const auto [found, is_new] =
-            by_label.try_emplace(labels[e], Piece{static_cast<std::int32_t>(smallest_owned_.size())});
-        if (is_new) {
-            smallest_owned_.emplace_back();
-        }
-        piece_[e] = found->second;
-        if (owned[e.index()] != 0 && smallest_owned(found->second) == LocalEntity{}) {
-            set_smallest_owned(found->second, e);
-        }
-    }
-}
-
 void Pieces::sort_by_piece(std::vector<LocalEntity>& entities) const {
-    std::ranges::sort(entities, [&](LocalEntity a, LocalEntity b) {
-        return piece_[a] != piece_[b] ? piece_[a] < piece_[b] : a < b;
-    });
+    std::ranges::sort(
+        entities, [&](LocalEntity a, LocalEntity b) { return piece_[a] != piece_[b] ? piece_[a] < piece_[b] : a < b; });
     const auto repeated = std::ranges::unique(entities);
     entities.erase(repeated.begin(), repeated.end());
 }
@@ -67,7 +46,7 @@ void Pieces::set_smallest_owned(Piece piece, LocalEntity entity) {
 }
 
 std::size_t Pieces::memory_bytes() const {
-    return piece_.bytes() + smallest_owned_.capacity() * sizeof(LocalEntity);
+    return piece_.bytes() + parents_.bytes() + smallest_owned_.capacity() * sizeof(LocalEntity);
 }
 
 }  // namespace cracksim::topology

@@ -13,11 +13,23 @@ namespace cracksim::topology {
 /// A piece of this rank's entities; its number says nothing outside this rank.
 using Piece = Id<struct PieceTag, std::int32_t>;
 
-/// This rank's entities in pieces that only ever fall apart. Each piece is known by its smallest owned entity.
+/// This rank's entities in pieces that only ever fall apart, because links between entities are only ever cut. Each piece
+/// is known by its smallest owned entity, and held together by a tree: while only links that are not in the tree are cut,
+/// there is nothing to do.
+///
+/// Links are a class with for_each_neighbour(entity, visit) as for PartingSearch, and joins(a, b): is there a link.
 class Pieces {
 public:
-    /// labels: the same for two entities exactly if they are in one piece. owned must outlive this.
-    Pieces(const IdArray<LocalEntity, EntityId>& labels, std::span<const std::uint8_t> owned);
+    /// owned must outlive this.
+    template <class Links>
+    Pieces(std::span<const std::uint8_t> owned, const Links& links)
+        : owned_{owned}, piece_(owned.size()), parents_(owned.size()) {
+        for (LocalEntity e{0}; e.index() < owned.size(); ++e) {
+            if (piece_[e] == Piece{}) {
+                grow(e, links);
+            }
+        }
+    }
 
     [[nodiscard]] Piece piece(LocalEntity entity) const { return piece_[entity]; }
     /// None for a piece without an owned entity.
@@ -26,16 +38,22 @@ public:
     /// Pieces that hold an owned entity.
     [[nodiscard]] std::int64_t owned_count() const { return owned_count_; }
 
-    /// Brings the pieces up to date after links were cut at these entities. For neighbours see PartingSearch::run.
-    /// True if a piece fell apart.
-    template <class Neighbours>
-    bool part(std::vector<LocalEntity> cut_at, PartingSearch& search, const Neighbours& neighbours) {
+    /// Brings the pieces up to date after links were cut: cut_at must name all entities at their ends. True if a piece fell
+    /// apart.
+    template <class Links>
+    bool part(std::span<const LocalEntity> cut_at, PartingSearch& search, const Links& links) {
         const std::size_t before = size();
-        sort_by_piece(cut_at);
-        for (std::span<const LocalEntity> left = cut_at; !left.empty();) {
+        std::vector<LocalEntity> orphans;
+        for (const LocalEntity e : cut_at) {
+            if (parents_[e] != LocalEntity{} && !links.joins(e, parents_[e])) {
+                orphans.push_back(e);
+            }
+        }
+        sort_by_piece(orphans);
+        for (std::span<const LocalEntity> left = orphans; !left.empty();) {
             const std::size_t together = first_piece_length(left);
             const Piece rest = piece_[left.front()];
-            search.run(left.first(together), neighbours, [&](const auto& members) { take_off(members); });
+            search.run(left.first(together), parents_, links, [&](const auto& members) { take_off(members); });
             find_smallest_owned(rest);
             left = left.subspan(together);
         }
@@ -45,9 +63,28 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
+    /// A new piece of all entities that links lead to.
+    template <class Links>
+    void grow(LocalEntity root, const Links& links) {
+        std::vector<LocalEntity> members{root};
+        piece_[root] = Piece{static_cast<std::int32_t>(size())};
+        for (std::size_t i = 0; i < members.size(); ++i) {
+            const LocalEntity from = members[i];
+            links.for_each_neighbour(from, [&](LocalEntity e) {
+                if (piece_[e] == Piece{}) {
+                    piece_[e] = piece_[root];
+                    parents_[e] = from;
+                    members.push_back(e);
+                }
+            });
+        }
+        take_off(members);
+    }
+
     void sort_by_piece(std::vector<LocalEntity>& entities) const;
     /// How many entities at the beginning are in one piece.
     [[nodiscard]] std::size_t first_piece_length(std::span<const LocalEntity> entities) const;
+    /// Makes a new piece.
     void take_off(const std::vector<LocalEntity>& members);
     /// After others came off. Never looks back: a piece's smallest entity only ascends.
     void find_smallest_owned(Piece rest);
@@ -55,6 +92,7 @@ private:
 
     std::span<const std::uint8_t> owned_;
     IdArray<LocalEntity, Piece> piece_;
+    Parents parents_;
     std::vector<LocalEntity> smallest_owned_;  ///< by piece
     std::int64_t owned_count_{0};
 };

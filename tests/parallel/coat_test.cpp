@@ -79,8 +79,8 @@ public:
             return topology::lower_to_component(s.coat().map(), owned.span(), labels);
         });
         const auto unions = unions_.all();
-        const LabelArray fragments = whole_labels(
-            s, halo_, [&](LabelArray& labels) { return geometry::lower_to_fragment(unions, labels); });
+        const LabelArray fragments =
+            whole_labels(s, halo_, [&](LabelArray& labels) { return geometry::lower_to_fragment(unions, labels); });
         labels_agree(s, components, &Coat::component, s.coat().component_count());
         labels_agree(s, fragments, &Coat::fragment, s.coat().fragment_count());
         EXPECT_EQ(s.coat().crack_area(), crack_area(s));
