@@ -13,8 +13,6 @@ namespace cracksim::simulation {
 
 namespace {
 
-std::int64_t face_key(LocalEntity e, int face) { return std::int64_t{e.value()} * Hexahedron::faces + face; }
-
 /// Sewn faces with an owned entity on one side: of one between two halo entities their owners know.
 class SewnFaces {
 public:
@@ -46,6 +44,16 @@ struct Mask {
     std::uint8_t sewn;
 };
 
+void append_corners(LocalEntity e, unsigned faces, std::vector<LocalMass>& corners) {
+    for (int face = 0; face < topology::Cell::faces; ++face) {
+        if ((faces >> static_cast<unsigned>(face) & 1U) != 0) {
+            for (const LocalMass corner : topology::corners_of(e, face)) {
+                corners.push_back(corner);
+            }
+        }
+    }
+}
+
 }  // namespace
 
 Coat::Coat(const partition::Communicator& comm, const Block& block, const partition::Decomposition& decomposition,
@@ -58,15 +66,16 @@ Coat::Coat(const partition::Communicator& comm, const Block& block, const partit
       unions_{std::move(unions)},
       search_{decomposition.entities.size()},
       components_{comm, decomposition, halo_, SewnFaces{map_, decomposition}},
-      fragments_{comm, decomposition, halo_, unions_} {}
+      fragments_{comm, decomposition, halo_, unions_},
+      surface_{map_, decomposition.owned.span()} {}
 
 void Coat::modify(const physics::SplitStream& splits) {
     if (comm_->sum(static_cast<std::int64_t>(splits.size())) == 0) {
         return;
     }
     const topology::Changes changes = topology::modify(map_, splits);
-    note_opened(changes);
-    share_masks(changes);
+    count_opened(changes);
+    update_surface(changes, share_masks(changes));
     std::array<std::int64_t, 2> parted{cut_components(changes) ? 1 : 0, cut_fragments(splits) ? 1 : 0};
     comm_->sum(parted);
     if (parted[0] != 0) {
@@ -74,14 +83,13 @@ void Coat::modify(const physics::SplitStream& splits) {
     }
     if (parted[1] != 0) {
         fragments_.agree();
+        ++fragments_version_;
     }
 }
 
-void Coat::note_opened(const topology::Changes& changes) {
+void Coat::count_opened(const topology::Changes& changes) {
     std::array<std::int64_t, 3> opened{};
     for (const topology::UnsewnFace& face : changes.unsewn) {
-        opened_at_.emplace(face_key(face.entity, face.face), face.time);
-        opened_at_.emplace(face_key(face.neighbour, face.neighbour_face), face.time);
         opened[static_cast<std::size_t>(face.face / 2)] += decomposition_->owned[face.entity] != 0 ? 1 : 0;
     }
     comm_->sum(opened);
@@ -90,7 +98,7 @@ void Coat::note_opened(const topology::Changes& changes) {
     }
 }
 
-void Coat::share_masks(const topology::Changes& changes) {
+std::vector<LocalMass> Coat::share_masks(const topology::Changes& changes) {
     std::vector<std::vector<Mask>> outgoing(static_cast<std::size_t>(comm_->size()));
     const auto tell = [&](LocalEntity e) {
         for (const Rank holder : decomposition_->owned[e] != 0 ? halo_.holders(e) : std::span<const Rank>{}) {
@@ -101,11 +109,26 @@ void Coat::share_masks(const topology::Changes& changes) {
         tell(face.entity);
         tell(face.neighbour);
     }
+    std::vector<LocalMass> corners;
     for (const auto& masks : comm_->exchange(outgoing)) {
         for (const Mask& mask : masks) {
-            map_.set_sewn_mask(*find_local(decomposition_->entities, mask.entity), mask.sewn);
+            const LocalEntity e = *find_local(decomposition_->entities, mask.entity);
+            const unsigned freed = map_.sewn_mask(e) & ~unsigned{mask.sewn};
+            map_.set_sewn_mask(e, mask.sewn);
+            append_corners(e, freed, corners);
         }
     }
+    return corners;
+}
+
+void Coat::update_surface(const topology::Changes& changes, std::vector<LocalMass> corners) {
+    for (const topology::UnsewnFace& face : changes.unsewn) {
+        surface_.open(face.entity, face.face, face.time);
+        surface_.open(face.neighbour, face.neighbour_face, face.time);
+        append_corners(face.entity, 1U << static_cast<unsigned>(face.face), corners);
+        append_corners(face.neighbour, 1U << static_cast<unsigned>(face.neighbour_face), corners);
+    }
+    surface_.update(map_, corners);
 }
 
 bool Coat::cut_components(const topology::Changes& changes) {
@@ -140,11 +163,6 @@ double Coat::crack_area() const {
     return area;
 }
 
-double Coat::opened_at(LocalEntity e, int face) const {
-    const auto found = opened_at_.find(face_key(e, face));
-    return found == opened_at_.end() ? -1.0 : found->second;
-}
-
 std::vector<geometry::LabelSize> Coat::largest_fragments(std::size_t count) const {
     IdArray<LocalEntity, EntityId> labels(decomposition_->entities.size());
     for (LocalEntity e{0}; e.index() < labels.size(); ++e) {
@@ -167,7 +185,7 @@ std::vector<geometry::LabelSize> Coat::largest_fragments(std::size_t count) cons
 
 std::size_t Coat::memory_bytes() const {
     return map_.memory_bytes() + unions_.memory_bytes() + search_.memory_bytes() + components_.memory_bytes() +
-           fragments_.memory_bytes();
+           fragments_.memory_bytes() + surface_.memory_bytes();
 }
 
 }  // namespace cracksim::simulation

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "core/block.hpp"
@@ -14,6 +13,7 @@
 #include "partition/halo.hpp"
 #include "physics/events.hpp"
 #include "simulation/labels.hpp"
+#include "simulation/local_surface.hpp"
 #include "topology/changes.hpp"
 #include "topology/gmap.hpp"
 #include "topology/parting_search.hpp"
@@ -38,7 +38,10 @@ public:
     [[nodiscard]] EntityId component(LocalEntity owned) const { return components_.label(owned); }
     [[nodiscard]] EntityId fragment(LocalEntity owned) const { return fragments_.label(owned); }
     /// Time of the split that opened a face of an owned entity, s; -1 if it is sewn or on the original boundary.
-    [[nodiscard]] double opened_at(LocalEntity e, int face) const;
+    [[nodiscard]] double opened_at(LocalEntity e, int face) const { return surface_.opened_at(e, face); }
+    [[nodiscard]] const LocalSurface& surface() const { return surface_; }
+    /// Of the labels of fragments: changes whenever one of them does.
+    [[nodiscard]] std::int64_t fragments_version() const { return fragments_version_; }
 
     /// Numbers over all ranks after the last modification.
     [[nodiscard]] std::int64_t component_count() const { return components_.count(); }
@@ -51,8 +54,10 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
-    void note_opened(const topology::Changes& changes);
-    void share_masks(const topology::Changes& changes);
+    void count_opened(const topology::Changes& changes);
+    /// The corners of the faces that are open now between halo entities, as their owners tell.
+    [[nodiscard]] std::vector<LocalMass> share_masks(const topology::Changes& changes);
+    void update_surface(const topology::Changes& changes, std::vector<LocalMass> corners);
     [[nodiscard]] bool cut_components(const topology::Changes& changes);
     [[nodiscard]] bool cut_fragments(const physics::SplitStream& splits);
 
@@ -65,7 +70,8 @@ private:
     topology::PartingSearch search_;
     Labels components_;
     Labels fragments_;
-    std::unordered_map<std::int64_t, double> opened_at_;
+    LocalSurface surface_;
+    std::int64_t fragments_version_{0};
     std::array<std::int64_t, 3> opened_{};  ///< interfaces normal to each axis, over all ranks
 };
 

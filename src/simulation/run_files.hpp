@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "io/background.hpp"
 #include "io/event_writer.hpp"
 #include "io/frame_record.hpp"
 #include "io/frame_writer.hpp"
@@ -10,6 +12,7 @@
 #include "io/run_directory.hpp"
 #include "simulation/progress.hpp"
 #include "simulation/simulation.hpp"
+#include "simulation/surface_frames.hpp"
 
 namespace cracksim::simulation {
 
@@ -35,10 +38,17 @@ private:
         std::unique_ptr<io::FrameWriter> writer;
     };
 
+    [[nodiscard]] io::FrameWriter* writer(Picture picture) const;
+    void write_surface_beside_the_run(const Simulation& simulation);
+    void write_together(const Simulation& simulation, const Series& series);
+
     io::EventWriter events_;
     io::HistoryWriter history_;
     std::vector<Series> series_;
     Progress* progress_;
+    const partition::Communicator* comm_;
+    std::optional<SurfaceFrames> surface_frames_;  ///< until they become too large
+    io::Background background_;                    ///< the last member: its jobs use the others
 };
 
 }  // namespace cracksim::simulation

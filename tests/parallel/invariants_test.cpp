@@ -96,7 +96,7 @@ private:
     void boundaries_are_closed(const Simulation& s, const LabelArray& labels, const LabelArray& components) {
         const auto& owned = s.dynamics().decomposition().owned;
         const auto faces = geometry::free_faces(s.coat().map(), owned.span());
-        const physics::Evolution evolution = s.dynamics().evolution();
+        const MassEvolution evolution = s.dynamics().evolution();
         if (world().size() == 1) {
             const auto reason = geometry::validate_closure(s.coat().map(), faces, components);
             EXPECT_FALSE(reason.has_value()) << *reason;

@@ -1,0 +1,87 @@
+#include "simulation/local_surface.hpp"
+
+#include <utility>
+
+#include "core/contracts.hpp"
+#include "topology/orbits.hpp"
+
+namespace cracksim::simulation {
+namespace {
+
+using topology::Cell;
+
+std::int64_t face_key(LocalEntity e, int face) { return std::int64_t{e.value()} * Cell::faces + face; }
+
+}  // namespace
+
+LocalSurface::LocalSurface(const topology::GMap& map, std::span<const std::uint8_t> owned)
+    : owned_{owned}, met_{owned.size()} {
+    CRACKSIM_EXPECT(static_cast<std::int32_t>(owned.size()) == map.entity_count());
+    for (LocalEntity e{0}; e.value() < map.entity_count(); ++e) {
+        for (int f = 0; owned[e.index()] != 0 && f < Cell::faces; ++f) {
+            if (!map.is_sewn(e, f)) {
+                touch(e, f);
+            }
+        }
+    }
+    ++updates_;
+}
+
+LocalSurface::Face& LocalSurface::listed(LocalEntity entity, int face) {
+    const auto [found, is_new] =
+        place_of_face_.try_emplace(face_key(entity, face), static_cast<std::int32_t>(faces_.size()));
+    if (is_new) {
+        faces_.push_back({entity, static_cast<std::int8_t>(face), 0, -1});
+    }
+    return faces_[static_cast<std::size_t>(found->second)];
+}
+
+LocalSurface::Face& LocalSurface::touch(LocalEntity entity, int face) {
+    Face& touched = listed(entity, face);
+    if (std::exchange(touched.listed_in, updates_) != updates_) {
+        changed_.push_back(static_cast<std::int32_t>(&touched - faces_.data()));
+    }
+    return touched;
+}
+
+void LocalSurface::open(LocalEntity entity, int face, double time) {
+    if (owned_[entity.index()] != 0) {
+        touch(entity, face).opened_at = time;
+    }
+}
+
+void LocalSurface::update(const topology::GMap& map, std::span<const LocalMass> corners) {
+    for (const LocalMass corner : corners) {
+        if (!met_.contains(corner)) {
+            touch_around(map, corner);
+        }
+    }
+    for (const LocalEntity e : std::exchange(met_entities_, {})) {
+        met_.clear(e);
+    }
+    ++updates_;
+}
+
+void LocalSurface::touch_around(const topology::GMap& map, LocalMass corner) {
+    for (const LocalMass m : topology::vertex_corners(map, corner)) {
+        const LocalEntity e = entity_of(m);
+        met_.insert(m);
+        met_entities_.push_back(e);
+        for (const auto& [face, place] : Cell::faces_at(corner_of(m))) {
+            if (owned_[e.index()] != 0 && !map.is_sewn(e, face)) {
+                touch(e, face);
+            }
+        }
+    }
+}
+
+double LocalSurface::opened_at(LocalEntity entity, int face) const {
+    const auto found = place_of_face_.find(face_key(entity, face));
+    return found == place_of_face_.end() ? -1.0 : faces_[static_cast<std::size_t>(found->second)].opened_at;
+}
+
+std::size_t LocalSurface::memory_bytes() const {
+    return faces_.capacity() * sizeof(Face) + changed_.capacity() * sizeof(std::int32_t) + met_.bytes();
+}
+
+}  // namespace cracksim::simulation

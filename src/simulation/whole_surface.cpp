@@ -1,0 +1,255 @@
+#include "simulation/whole_surface.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <variant>
+
+#include "core/contracts.hpp"
+#include "geometry/embedding.hpp"
+#include "geometry/measures.hpp"
+
+namespace cracksim::simulation {
+namespace {
+
+enum Integer : std::uint8_t { entity, fragment };
+enum Real : std::uint8_t { opened_at, opening };
+constexpr std::size_t first_real = 2;
+constexpr std::size_t corners = 4;
+
+geometry::Mesh empty_mesh() {
+    geometry::Mesh mesh;
+    mesh.fields = {{"entity", std::vector<std::int64_t>{}},
+                   {"fragment", std::vector<std::int64_t>{}},
+                   {"opened_at", std::vector<double>{}},
+                   {"opening", std::vector<double>{}}};
+    return mesh;
+}
+
+/// Puts new keys (ascending, none there yet) among ascending ones. Returns where the old ones stand now.
+template <class Key>
+std::vector<std::int32_t> merge(std::vector<Key>& keys, const std::vector<Key>& added) {
+    std::vector<std::int32_t> moved(keys.size());
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        while (next < added.size() && added[next] < keys[i]) {
+            ++next;
+        }
+        moved[i] = static_cast<std::int32_t>(i + next);
+    }
+    std::vector<Key> all(keys.size() + added.size());
+    std::ranges::merge(keys, added, all.begin());
+    keys = std::move(all);
+    return moved;
+}
+
+/// Values follow their keys; those of new keys are still to be set.
+template <class T>
+void spread(std::vector<T>& values, const std::vector<std::int32_t>& moved, std::size_t size, std::size_t columns) {
+    std::vector<T> all(size * columns);
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+        const auto from = values.begin() + static_cast<std::ptrdiff_t>(i * columns);
+        std::copy_n(from, columns,
+                    all.begin() + static_cast<std::ptrdiff_t>(moved[i]) * static_cast<std::ptrdiff_t>(columns));
+    }
+    values = std::move(all);
+}
+
+template <class Key>
+std::int32_t place_in(const std::vector<Key>& keys, const Key& key) {
+    const auto found = std::ranges::lower_bound(keys, key);
+    CRACKSIM_ASSERT(found != keys.end() && *found == key);
+    return static_cast<std::int32_t>(found - keys.begin());
+}
+
+/// Ascending, each once, without those that are there.
+template <class Key>
+void keep_new(std::vector<Key>& keys, const std::vector<Key>& there) {
+    std::ranges::sort(keys);
+    const auto repeated = std::ranges::unique(keys);
+    keys.erase(repeated.begin(), repeated.end());
+    std::erase_if(keys, [&](const Key& key) { return std::ranges::binary_search(there, key); });
+}
+
+template <class T>
+void pick(const std::vector<T>& from, const std::vector<std::int32_t>& places, std::vector<T>& picked) {
+    picked.resize(places.size());
+    std::ranges::transform(places, picked.begin(), [&](std::int32_t i) { return from[static_cast<std::size_t>(i)]; });
+}
+
+}  // namespace
+
+WholeSurface::WholeSurface(const Block& block, std::size_t ranks)
+    : block_{block}, orders_(ranks), surface_{empty_mesh()}, crack_{empty_mesh()} {}
+
+std::vector<double>& WholeSurface::reals(std::size_t field) {
+    return std::get<std::vector<double>>(surface_.fields[first_real + field].values);
+}
+
+std::vector<std::int64_t>& WholeSurface::integers(std::size_t field) {
+    return std::get<std::vector<std::int64_t>>(surface_.fields[field].values);
+}
+
+void WholeSurface::take(std::span<const SurfaceNews> news) {
+    CRACKSIM_EXPECT(news.size() == orders_.size());
+    add_points(news);
+    add_faces(news);
+    move(news);
+    name_fragments(news);
+    measure_openings();
+}
+
+void WholeSurface::add_points(std::span<const SurfaceNews> news) {
+    std::vector<MassId> added;
+    for (const SurfaceNews& rank : news) {
+        added.insert(added.end(), rank.new_points.begin(), rank.new_points.end());
+    }
+    keep_new(added, point_keys_);
+    if (!added.empty()) {
+        const Places moved = merge(point_keys_, added);
+        for (std::int64_t& point : surface_.connectivity) {
+            point = moved[static_cast<std::size_t>(point)];
+        }
+        for (Order& order : orders_) {
+            std::ranges::transform(order.point, order.point.begin(),
+                                   [&](std::int32_t p) { return moved[static_cast<std::size_t>(p)]; });
+        }
+    }
+    for (std::size_t r = 0; r < news.size(); ++r) {
+        for (const MassId key : news[r].new_points) {
+            orders_[r].point.push_back(place_in(point_keys_, key));
+        }
+    }
+}
+
+void WholeSurface::add_faces(std::span<const SurfaceNews> news) {
+    std::vector<std::int64_t> added;
+    for (const SurfaceNews& rank : news) {
+        for (const SurfaceNews::Face& face : rank.changed_faces) {
+            added.push_back(face.key);
+        }
+    }
+    crack_is_old_ = crack_is_old_ || !added.empty();
+    keep_new(added, face_keys_);
+    const Places moved = merge(face_keys_, added);
+    spread(surface_.connectivity, moved, face_keys_.size(), corners);
+    spread(integers(entity), moved, face_keys_.size(), 1);
+    spread(integers(fragment), moved, face_keys_.size(), 1);
+    spread(reals(opened_at), moved, face_keys_.size(), 1);
+    reals(opening).assign(face_keys_.size(), 0.0);
+    for (std::size_t r = 0; r < news.size(); ++r) {
+        Places& order = orders_[r].face;
+        std::ranges::transform(order, order.begin(),
+                               [&](std::int32_t f) { return moved[static_cast<std::size_t>(f)]; });
+        for (const SurfaceNews::Face& face : news[r].changed_faces) {
+            if (std::ranges::binary_search(added, face.key)) {
+                order.push_back(place_in(face_keys_, face.key));
+            }
+            set_face(face);
+        }
+    }
+}
+
+void WholeSurface::set_face(const SurfaceNews::Face& face) {
+    const std::size_t place = place_of(face.key);
+    integers(entity)[place] = face.key / Hexahedron::faces;
+    reals(opened_at)[place] = face.opened_at;
+    for (std::size_t k = 0; k < corners; ++k) {
+        surface_.connectivity[place * corners + k] = place_in(point_keys_, face.points[k]);
+    }
+}
+
+std::size_t WholeSurface::place_of(std::int64_t face_key) const {
+    return static_cast<std::size_t>(place_in(face_keys_, face_key));
+}
+
+void WholeSurface::move(std::span<const SurfaceNews> news) {
+    surface_.points.resize(point_keys_.size());
+    for (std::size_t r = 0; r < news.size(); ++r) {
+        for (std::size_t i = 0; i < news[r].positions.size(); ++i) {
+            surface_.points[static_cast<std::size_t>(orders_[r].point[i])] = news[r].positions[i];
+        }
+    }
+}
+
+void WholeSurface::name_fragments(std::span<const SurfaceNews> news) {
+    for (std::size_t r = 0; r < news.size(); ++r) {
+        for (std::size_t i = 0; i < news[r].fragments.size(); ++i) {
+            integers(fragment)[static_cast<std::size_t>(orders_[r].face[i])] = news[r].fragments[i].value();
+        }
+    }
+}
+
+void WholeSurface::find_crack() {
+    if (!std::exchange(crack_is_old_, false)) {
+        return;
+    }
+    crack_faces_.clear();
+    met_face_.clear();
+    met_rotation_.clear();
+    for (std::size_t f = 0; f < face_keys_.size(); ++f) {
+        const int face = static_cast<int>(face_keys_[f] % Hexahedron::faces);
+        const auto other = block_.neighbour(EntityId{face_keys_[f] / Hexahedron::faces}, face);
+        if (other) {
+            crack_faces_.push_back(static_cast<std::int32_t>(f));
+            met_face_.push_back(place_in(face_keys_, other->entity.value() * Hexahedron::faces + other->face));
+            met_rotation_.push_back(static_cast<std::int8_t>(other->rotation));
+        }
+    }
+    number_crack_points();
+}
+
+void WholeSurface::number_crack_points() {
+    std::vector<std::int64_t> number(point_keys_.size(), -1);
+    for (const std::int32_t f : crack_faces_) {
+        for (std::size_t k = 0; k < corners; ++k) {
+            number[static_cast<std::size_t>(surface_.connectivity[static_cast<std::size_t>(f) * corners + k])] = 0;
+        }
+    }
+    crack_points_.clear();
+    for (std::size_t p = 0; p < number.size(); ++p) {
+        if (number[p] == 0) {
+            number[p] = static_cast<std::int64_t>(crack_points_.size());
+            crack_points_.push_back(static_cast<std::int32_t>(p));
+        }
+    }
+    crack_.connectivity.clear();
+    for (const std::int32_t f : crack_faces_) {
+        for (std::size_t k = 0; k < corners; ++k) {
+            const std::int64_t point = surface_.connectivity[static_cast<std::size_t>(f) * corners + k];
+            crack_.connectivity.push_back(number[static_cast<std::size_t>(point)]);
+        }
+    }
+}
+
+void WholeSurface::measure_openings() {
+    find_crack();
+    const auto embedded = [&](std::int32_t face, const auto& corner) {
+        geometry::Quadrilateral at;
+        for (std::size_t k = 0; k < corners; ++k) {
+            const auto point = surface_.connectivity[static_cast<std::size_t>(face) * corners + corner(k)];
+            at[k] = surface_.points[static_cast<std::size_t>(point)];
+        }
+        return at;
+    };
+    for (std::size_t i = 0; i < crack_faces_.size(); ++i) {
+        const auto rotation = static_cast<std::size_t>(met_rotation_[i]);
+        reals(opening)[static_cast<std::size_t>(crack_faces_[i])] = geometry::opening(
+            embedded(crack_faces_[i], [](std::size_t k) { return k; }),
+            embedded(met_face_[i], [&](std::size_t k) { return (rotation + corners - k) % corners; }));
+    }
+}
+
+const geometry::Mesh& WholeSurface::crack() {
+    pick(surface_.points, crack_points_, crack_.points);
+    for (std::size_t field = 0; field < surface_.fields.size(); ++field) {
+        std::visit(
+            [&](const auto& values) {
+                pick(values, crack_faces_, std::get<std::decay_t<decltype(values)>>(crack_.fields[field].values));
+            },
+            surface_.fields[field].values);
+    }
+    return crack_;
+}
+
+}  // namespace cracksim::simulation
