@@ -1,0 +1,66 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/contracts.hpp"
+
+namespace cracksim::simulation {
+
+// Columns of values in the order of their keys.
+
+/// Puts new keys (ascending, none there yet) among ascending ones. Returns where the old ones stand now.
+template <class Key>
+std::vector<std::int32_t> merge(std::vector<Key>& keys, const std::vector<Key>& added) {
+    std::vector<std::int32_t> moved(keys.size());
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        while (next < added.size() && added[next] < keys[i]) {
+            ++next;
+        }
+        moved[i] = static_cast<std::int32_t>(i + next);
+    }
+    std::vector<Key> all(keys.size() + added.size());
+    std::ranges::merge(keys, added, all.begin());
+    keys = std::move(all);
+    return moved;
+}
+
+/// Values follow their keys; those of new keys are still to be set.
+template <class T>
+void spread(std::vector<T>& values, const std::vector<std::int32_t>& moved, std::size_t size, std::size_t columns) {
+    std::vector<T> all(size * columns);
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+        const auto from = values.begin() + static_cast<std::ptrdiff_t>(i * columns);
+        std::copy_n(from, columns,
+                    all.begin() + static_cast<std::ptrdiff_t>(moved[i]) * static_cast<std::ptrdiff_t>(columns));
+    }
+    values = std::move(all);
+}
+
+template <class Key>
+std::int32_t place_in(const std::vector<Key>& keys, const Key& key) {
+    const auto found = std::ranges::lower_bound(keys, key);
+    CRACKSIM_ASSERT(found != keys.end() && *found == key);
+    return static_cast<std::int32_t>(found - keys.begin());
+}
+
+/// Ascending, each once, without those that are there.
+template <class Key>
+void keep_new(std::vector<Key>& keys, const std::vector<Key>& there) {
+    std::ranges::sort(keys);
+    const auto repeated = std::ranges::unique(keys);
+    keys.erase(repeated.begin(), repeated.end());
+    std::erase_if(keys, [&](const Key& key) { return std::ranges::binary_search(there, key); });
+}
+
+template <class T>
+void pick(const std::vector<T>& from, const std::vector<std::int32_t>& places, std::vector<T>& picked) {
+    picked.resize(places.size());
+    std::ranges::transform(places, picked.begin(), [&](std::int32_t i) { return from[static_cast<std::size_t>(i)]; });
+}
+
+}  // namespace cracksim::simulation
