@@ -29,11 +29,13 @@ void Background::post(std::function<void()> job) {
     changed_.notify_all();
 }
 
+void Background::settle() {
+    std::unique_lock lock{mutex_};
+    changed_.wait(lock, [&] { return jobs_.empty() && !working_; });
+}
+
 void Background::wait() {
-    {
-        std::unique_lock lock{mutex_};
-        changed_.wait(lock, [&] { return jobs_.empty() && !working_; });
-    }
+    settle();
     check();
 }
 

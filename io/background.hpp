@@ -25,6 +25,8 @@ public:
     void post(std::function<void()> job);
     /// Until all is done. Throws what a job threw.
     void wait();
+    /// Until all is done; what a job threw is still to be told.
+    void settle();
     /// Throws what a job threw.
     void check();
 

@@ -78,9 +78,11 @@ void check_text(std::string_view text) {
     constexpr std::string_view characters =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.+-*/^(),<>=!&|?: \n";
     if (const std::size_t i = text.find_first_not_of(characters); i != std::string_view::npos) {
+        const auto control = control_character(text.substr(i));
         const std::size_t length = std::max(utf8_length(text.substr(i)), std::size_t{1});
-        throw InputError{"'" + shortened(text.substr(i, length)) + "' at character " + std::to_string(i + 1) +
-                         " has no meaning in an expression"};
+        const std::string shown =
+            control ? "the control character " + hexadecimal(*control) : "'" + shortened(text.substr(i, length)) + "'";
+        throw InputError{shown + " at character " + std::to_string(i + 1) + " has no meaning in an expression"};
     }
     if (assigns(text)) {
         throw InputError{"'=' does not compare; write '=='"};
@@ -90,7 +92,7 @@ void check_text(std::string_view text) {
 }  // namespace
 
 struct Expression::Formula {
-    explicit Formula(const std::string& text) {
+    Formula() {
         parser.ClearFun();
         parser.ClearConst();
         for (const Function& function : functions) {
@@ -104,27 +106,34 @@ struct Expression::Formula {
         for (std::size_t i = 0; i < names.size(); ++i) {
             parser.DefineVar(names[i], &variables[i]);
         }
-        parser.SetExpr(text);
-        int results = 0;
-        parser.Eval(results);
-        if (results != 1) {
-            throw InputError{"a comma separates arguments of functions only; the decimal sign is a point"};
-        }
-        // Asked for its variables, muParser forgets its compiled form and takes unknown names, so a copy is asked.
-        const mu::varmap_type used = mu::Parser{parser}.GetUsedVar();
-        uses_time = used.contains("t");
-        is_constant = used.empty();
     }
+
+    explicit Formula(const std::string& text) : Formula{} { parser.SetExpr(text); }
 
     static constexpr std::array<const char*, 4> names{"x", "y", "z", "t"};
     std::array<double, 4> variables{};
     mu::Parser parser;
-    bool uses_time{false};
-    bool is_constant{false};
 };
 
+// A parser takes kilobytes, and longer to make than a formula to read. A scene may hold 90,000 expressions, of which a run
+// evaluates few: one parser examines them all.
+Expression::Examined Expression::examine(const std::string& text) {
+    thread_local Formula formula;
+    formula.variables = {};
+    formula.parser.SetExpr(text);
+    int results = 0;
+    const double value = *formula.parser.Eval(results);
+    if (results != 1) {
+        throw InputError{"a comma separates arguments of functions only; the decimal sign is a point"};
+    }
+    // Last: asked for its variables, muParser forgets its compiled form.
+    const mu::varmap_type& used = formula.parser.GetUsedVar();
+    return {value, used.empty(), used.contains("t")};
+}
+
 Expression::Expression(double constant)
-    : text_{std::isinf(constant) ? (constant > 0 ? ".inf" : "-.inf") : exact(constant)}, constant_{constant} {}
+    : text_{std::isinf(constant) ? (constant > 0 ? ".inf" : "-.inf") : exact(constant)},
+      examined_{constant, true, false} {}
 
 Expression::Expression(std::string text) : text_{std::move(text)} {
     if (const auto number = to_number(text_)) {
@@ -137,15 +146,11 @@ Expression::Expression(std::string text) : text_{std::move(text)} {
     };
     try {
         check_text(text_);
-        formula_ = std::make_unique<Formula>(text_);
+        examined_ = examine(text_);
     } catch (const mu::ParserError& error) {
         explain(explanation(error));
     } catch (const InputError& error) {
         explain(error.what());
-    }
-    if (formula_->is_constant) {
-        constant_ = formula_->parser.Eval();
-        formula_.reset();
     }
 }
 
@@ -153,10 +158,7 @@ Expression::~Expression() = default;
 Expression::Expression(Expression&&) noexcept = default;
 Expression& Expression::operator=(Expression&&) noexcept = default;
 
-Expression::Expression(const Expression& other)
-    : text_{other.text_},
-      constant_{other.constant_},
-      formula_{other.formula_ ? std::make_unique<Formula>(other.text_) : nullptr} {}
+Expression::Expression(const Expression& other) : text_{other.text_}, examined_{other.examined_} {}
 
 Expression& Expression::operator=(const Expression& other) {
     Expression copy{other};
@@ -164,14 +166,15 @@ Expression& Expression::operator=(const Expression& other) {
 }
 
 double Expression::operator()(Vec3 at, double time) const {
+    if (examined_.is_constant) {
+        return examined_.value;
+    }
     if (!formula_) {
-        return constant_;
+        formula_ = std::make_unique<Formula>(text_);
     }
     formula_->variables = {at.x, at.y, at.z, time};
     return formula_->parser.Eval();
 }
-
-bool Expression::uses_time() const { return formula_ && formula_->uses_time; }
 
 std::string Expression::allowed() {
     std::string names;
@@ -182,14 +185,18 @@ std::string Expression::allowed() {
            names + "atan2, min, max";
 }
 
-Expression read_expression(const InputNode& node) {
+Expression read_expression(const InputNode& node, InputNode::Infinity infinity) {
+    const bool may_be_infinite = infinity == InputNode::Infinity::allowed;
     if (!node.is_scalar()) {
         node.fail("needs a number or an expression, not " + node.shown() +
                   (node.is_map() ? "; put an expression that holds ': ' in quotes" : ""));
     }
     const std::string text = node.text();
-    if (const auto infinite = to_infinity(text)) {
+    if (const auto infinite = to_infinity(text); infinite && may_be_infinite) {
         return Expression{*infinite};
+    }
+    if (to_infinity(text) || names_infinity(text) || is_beyond_range(text)) {
+        node.fail("needs a number or an expression, not " + node.shown() + number_hint(text, may_be_infinite));
     }
     try {
         return Expression{text};

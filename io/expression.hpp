@@ -9,8 +9,8 @@
 namespace cracksim::io {
 
 /// A number that may depend on the rest position x, y, z (m) and on the time t (s). An expression without variables is a
-/// constant and costs nothing to evaluate. Evaluation neither allocates nor depends on the locale, but one Expression must not
-/// be evaluated by two threads at once.
+/// constant and costs nothing to evaluate. Evaluation does not depend on the locale, and after the first, which makes a parser, does
+/// not allocate; one Expression must not be evaluated by two threads at once.
 class Expression {
 public:
     explicit Expression(double constant);
@@ -23,8 +23,8 @@ public:
     Expression& operator=(Expression&&) noexcept;
 
     [[nodiscard]] double operator()(Vec3 at, double time) const;
-    [[nodiscard]] bool is_constant() const { return formula_ == nullptr; }
-    [[nodiscard]] bool uses_time() const;
+    [[nodiscard]] bool is_constant() const { return examined_.is_constant; }
+    [[nodiscard]] bool uses_time() const { return examined_.uses_time; }
     /// What reads back as the same expression.
     [[nodiscard]] const std::string& text() const { return text_; }
 
@@ -33,13 +33,19 @@ public:
 
 private:
     struct Formula;
+    struct Examined {
+        double value{0};  ///< of a constant
+        bool is_constant{true};
+        bool uses_time{false};
+    };
+    static Examined examine(const std::string& text);
 
     std::string text_;
-    double constant_{0};
-    std::unique_ptr<Formula> formula_;
+    Examined examined_;
+    mutable std::unique_ptr<Formula> formula_;
 };
 
-/// The number or expression of a scene's value, .inf included. Throws InputError with the value's place.
-[[nodiscard]] Expression read_expression(const InputNode& node);
+/// The number or expression of a scene's value. Throws InputError with the value's place.
+[[nodiscard]] Expression read_expression(const InputNode& node, InputNode::Infinity infinity);
 
 }  // namespace cracksim::io

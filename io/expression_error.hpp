@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/input_text.hpp"
+#include "io/number_text.hpp"
 
 namespace cracksim::io {
 
@@ -14,7 +15,11 @@ namespace cracksim::io {
     const std::string token = "'" + shortened(found.substr(0, found.find_last_not_of(" \n") + 1)) + "'";
     const std::string place = " at character " + std::to_string(error.GetPos() + 1);
     switch (error.GetCode()) {
-        case mu::ecUNASSIGNABLE_TOKEN: return token + place + " is not known";
+        case mu::ecUNASSIGNABLE_TOKEN:
+            return token + place +
+                   (names_infinity(found) || found.starts_with(".inf") ? ": infinity has no place in a formula"
+                    : is_beyond_range(found)                           ? " is too large; numbers reach up to 1.7e308"
+                                                                       : " is not known");
         case mu::ecUNEXPECTED_OPERATOR:
         case mu::ecUNEXPECTED_ARG_SEP:
         case mu::ecUNEXPECTED_ARG:

@@ -23,6 +23,7 @@ struct RawNode {
     std::string key;
     std::string key_place;
     std::string text;
+    bool quoted{false};
     std::vector<RawNode> children;
 };
 
@@ -42,7 +43,10 @@ public:
     void OnDocumentStart(const YAML::Mark& mark) override {
         if (documents_++ > 0) {
             throw InputError{at(mark) +
-                             ": a second document begins here; a scene is one document: remove '---' or '...'"};
+                             (source_.has_lines
+                                  ? ": a second document begins here; a scene is one document: remove '---' or '...'"
+                                  : ": the value ends and something follows; remove a quote or bracket that is one "
+                                    "too many, or put the whole value in quotes")};
         }
     }
     void OnDocumentEnd() override {}
@@ -106,7 +110,9 @@ private:
                 const std::string& text) {
         check(mark, tag, anchor);
         if (!expects_key()) {
-            add(mark, kind).text = text;
+            RawNode& node = add(mark, kind);
+            node.text = text;
+            node.quoted = tag == "!";
         } else if (kind == RawNode::Kind::null) {
             throw InputError{at(mark) + ": a key is missing before ':'"};
         } else {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -32,6 +34,33 @@ inline constexpr std::size_t largest_input = std::size_t{4} << 20U;
     return length;
 }
 
+/// The code of the control character that begins the text, if one does: what cannot be seen, and may steer a terminal.
+[[nodiscard]] inline std::optional<unsigned> control_character(std::string_view text) {
+    const auto byte = [&](std::size_t i) {
+        return i < text.size() ? static_cast<unsigned>(static_cast<unsigned char>(text[i])) : 0x20U;
+    };
+    if (byte(0) < 0x20U || byte(0) == 0x7fU) {
+        return byte(0);
+    }
+    return byte(0) == 0xC2U && byte(1) >= 0x80U && byte(1) < 0xA0U ? std::optional{byte(1)} : std::nullopt;
+}
+
+/// Where the text's first control character is.
+[[nodiscard]] inline std::size_t find_control_character(std::string_view text) {
+    std::size_t i = 0;
+    while (i < text.size() && !control_character(text.substr(i))) {
+        ++i;
+    }
+    return i < text.size() ? i : std::string_view::npos;
+}
+
+/// A byte, or the code of a character, as 0x1B.
+[[nodiscard]] inline std::string hexadecimal(unsigned value) {
+    std::array<char, 12> text{};
+    std::snprintf(text.data(), text.size(), "0x%02X", value);
+    return text.data();
+}
+
 /// Text of the input as a message may show it: one line, not too long, in UTF-8.
 [[nodiscard]] inline std::string shortened(std::string_view text) {
     constexpr std::size_t longest = 60;
@@ -42,8 +71,7 @@ inline constexpr std::size_t largest_input = std::size_t{4} << 20U;
         if (shown.size() + length > longest) {
             return shown + "...";
         }
-        const auto first = static_cast<unsigned char>(text.front());
-        shown += !is_text ? "?" : first < 0x20 || first == 0x7f ? " " : std::string{text.substr(0, length)};
+        shown += !is_text ? "?" : control_character(text) ? " " : std::string{text.substr(0, length)};
         text.remove_prefix(length);
     }
     return shown;
@@ -66,12 +94,14 @@ inline void check_characters(std::string_view text, const TextSource& source) {
     std::size_t column = 1;
     for (std::size_t i = 0; i < text.size();) {
         const std::size_t length = utf8_length(text.substr(i));
-        const auto byte = static_cast<unsigned char>(text[i]);
-        if (length == 0 || (byte < 0x20U && text[i] != '\t' && text[i] != '\n')) {
-            char shown[8];
-            std::snprintf(shown, sizeof shown, "0x%02X", static_cast<unsigned>(byte));
-            throw InputError{source.at(line, column) + ": the byte " + shown +
+        if (length == 0 || text[i] == '\0') {
+            throw InputError{source.at(line, column) + ": the byte " +
+                             hexadecimal(static_cast<unsigned char>(text[i])) +
                              " is not text; a scene is YAML in UTF-8"};
+        }
+        if (const auto code = control_character(text.substr(i)); code && text[i] != '\t' && text[i] != '\n') {
+            throw InputError{source.at(line, column) + ": the control character " + hexadecimal(*code) +
+                             " has no place in a scene; remove it"};
         }
         if (text[i] == '\n') {
             ++line;
@@ -89,9 +119,9 @@ inline void clean_indentation(std::string& text, const TextSource& source) {
     for (std::size_t begin = 0, line = 1; begin < text.size(); ++line) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         const std::size_t first = std::min(text.find_first_not_of(" \t", begin), end);
-        const std::size_t tab = std::min(text.find('\t', begin), first);
-        if (tab < first && first < end) {
-            throw InputError{source.at(line, tab - begin + 1) + ": a tab indents this line; YAML takes spaces only"};
+        const std::size_t tab = std::string_view{text}.substr(begin, first - begin).find('\t');
+        if (tab != std::string_view::npos && first < end) {
+            throw InputError{source.at(line, tab + 1) + ": a tab indents this line; YAML takes spaces only"};
         }
         std::replace(text.begin() + static_cast<std::ptrdiff_t>(begin),
                      text.begin() + static_cast<std::ptrdiff_t>(first), '\t', ' ');

@@ -4,7 +4,10 @@
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <system_error>
+#include <utility>
 
 #include "io/agreement.hpp"
 #include "io/file_error.hpp"
@@ -26,7 +29,6 @@ void ignore(const std::string& /*message*/) {}
 }  // namespace
 
 struct Log::Sinks {
-    std::unique_ptr<spdlog::logger> out = make_logger(std::make_shared<spdlog::sinks::stdout_sink_st>(), "%v");
     std::unique_ptr<spdlog::logger> problems = make_logger(std::make_shared<spdlog::sinks::stderr_sink_st>(), "%l: %v");
     std::unique_ptr<spdlog::logger> file;
 
@@ -64,7 +66,7 @@ void Log::info(const std::string& text) {
     }
     wipe_live_line();
     if (!quiet_) {
-        sinks_->out->info(text);
+        print(text + "\n");
     }
     sinks_->to_file(spdlog::level::info, text);
 }
@@ -93,16 +95,28 @@ void Log::live(const std::string& text) {
         return;
     }
     const std::string blanks(live_width_ > text.size() ? live_width_ - text.size() : 0, ' ');
-    std::fputs(("\r" + text + blanks).c_str(), stdout);
-    std::fflush(stdout);
+    print("\r" + text + blanks);
     live_width_ = text.size();
+}
+
+// After a failure stdout goes nowhere: what stays in its buffer would fail again at the end, where PETSc tells it by pages.
+void Log::print(const std::string& text) {
+    errno = 0;
+    if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) {
+        return;
+    }
+    const std::string why = errno != 0 ? std::generic_category().message(errno) : "it is closed";
+    lost_terminal_ = true;
+    if (std::freopen("/dev/null", "w", stdout) == nullptr) {
+        sinks_->problems->error("nothing can be opened in place of standard output");
+    }
+    error("standard output cannot be written: " + why +
+          (sinks_->file ? "; the run goes on, and its lines are in its cracksim.log" : ""));
 }
 
 void Log::wipe_live_line() {
     if (live_width_ > 0) {
-        std::fputs(("\r" + std::string(live_width_, ' ') + "\r").c_str(), stdout);
-        std::fflush(stdout);
-        live_width_ = 0;
+        print("\r" + std::string(std::exchange(live_width_, 0), ' ') + "\r");
     }
 }
 

@@ -28,13 +28,18 @@ public:
     /// Redraws one line of the terminal in place; not in the file, nothing when quiet. The next line of another kind wipes it.
     void live(const std::string& text);
 
+    /// Could a line not be written to stdout? That is told on stderr, once; later lines go to the file alone. False but on the root.
+    [[nodiscard]] bool lost_terminal() const { return lost_terminal_; }
+
 private:
     struct Sinks;
     void wipe_live_line();
+    void print(const std::string& text);
 
     const partition::Communicator* comm_;
     bool quiet_;
     std::size_t live_width_{0};
+    bool lost_terminal_{false};
     std::unique_ptr<Sinks> sinks_;
 };
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace cracksim::io {
@@ -53,6 +54,36 @@ namespace cracksim::io {
         return std::nullopt;
     }
     return negative ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
+}
+
+/// Of a number beyond the range: is it too large, and not too near 0?
+[[nodiscard]] inline bool is_too_large(std::string_view text) {
+    text.remove_prefix(text.starts_with('+') ? 1 : 0);
+    long double value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool small_exponent = text.find("e-") != std::string_view::npos || text.find("E-") != std::string_view::npos;
+    return error == std::errc{} ? std::abs(value) > 1 : !small_exponent;
+}
+
+/// Infinity as other programs write it, such as inf, -Infinity or +inf.
+[[nodiscard]] inline bool names_infinity(std::string_view text) {
+    text.remove_prefix(text.starts_with('-') || text.starts_with('+') ? 1 : 0);
+    return text == "inf" || text == "Inf" || text == "INF" || text == "infinity" || text == "Infinity";
+}
+
+/// What a message about a text that is no number adds, to say what to write instead.
+[[nodiscard]] inline std::string number_hint(std::string_view text, bool may_be_infinite) {
+    if (names_infinity(text) || to_infinity(text)) {
+        return may_be_infinite ? "; infinity is written .inf" : "; it must be finite";
+    }
+    if (is_beyond_range(text)) {
+        return is_too_large(text) ? std::string{"; it is too large to be held: numbers reach 1.7e308"} +
+                                        (may_be_infinite ? ", and infinity is written .inf" : "")
+                                  : "; it is too near 0 to be held: numbers begin at 2.3e-308";
+    }
+    return text.find_first_of("'\"") != std::string_view::npos ? "; remove the quote in it"
+           : text.find(',') != std::string_view::npos          ? "; the decimal sign is a point"
+                                                               : "";
 }
 
 /// An integer, also written as an integral number such as 1e3 (up to 2^53, where numbers are exact).

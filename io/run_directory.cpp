@@ -177,8 +177,9 @@ RunLock RunDirectory::prepare(const partition::Communicator& comm) const {
     require(comm, refused);
     require(comm, comm.is_root() && !lock ? problem_of_lock(path_) : std::nullopt);
     on_root(comm, [&] {
-        fs::create_directory(path_ / "frames");
+        // Before anything that may not find room: an old run's files must not pass for this one's.
         remove_files(path_, is_run_file);
+        fs::create_directory(path_ / "frames");
         remove_files(path_ / "frames", is_frame_file);
     });
     return lock ? std::move(*lock) : RunLock{};

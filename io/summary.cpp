@@ -129,10 +129,14 @@ void add_costs(Json& out, const Summary& s) {
 
 std::string summary_text(const Summary& summary) {
     CRACKSIM_EXPECT(summary.invalid.has_value() == (summary.status == Status::invalid));
+    CRACKSIM_EXPECT(summary.error.has_value() == (summary.status == Status::stopped));
     Json out;
     out["status"] = text(summary.status);
     if (summary.invalid) {
         out["invalid"] = json(*summary.invalid);
+    }
+    if (summary.error) {
+        out["error"] = *summary.error;
     }
     out["bitwise"] = summary.bitwise;
     out["provenance"] = json(summary.provenance);

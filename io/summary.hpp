@@ -64,7 +64,8 @@ struct Summary {
     };
 
     Status status{Status::finished};
-    std::optional<Invalid> invalid;  ///< given if, and only if, status is invalid
+    std::optional<Invalid> invalid;    ///< given if, and only if, status is invalid
+    std::optional<std::string> error;  ///< why the run stopped; given if, and only if, status is stopped
     bool bitwise{true};
     Provenance provenance;
     Counts counts;

@@ -21,7 +21,7 @@ import tempfile
 import numpy
 from paraview.servermanager import Fetch
 from paraview.simple import (Calculator, CellDatatoPointData, CreateRenderView, Delete, GetColorTransferFunction, Render,
-                             SaveScreenshot, Show, Threshold, VTKHDFReader, _DisableFirstRenderCameraReset)
+                             SaveScreenshot, Show, Text, Threshold, VTKHDFReader, _DisableFirstRenderCameraReset)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SERIES = {"geometry": "surface", "crack": "crack", "masses": "masses", "topology": "topology"}
@@ -46,6 +46,7 @@ def arguments():
     parser.add_argument("--size", type=size, default="1600x900", help="in pixels, even numbers up to 8192")
     parser.add_argument("--from", dest="viewpoint", type=direction, default="-0.45,-1,0.95",
                         help="the direction in which the camera stands, such as=-0.45,-1,0.95")
+    parser.add_argument("--title", default="", help="a line to write above the picture")
     parser.add_argument("--fps", type=frame_rate, default=25, help="frames a second of a movie")
     options = parser.parse_args()
     if options.out.suffix not in [".png", *MOVIES]:
@@ -100,23 +101,34 @@ def points_of(file):
     return points
 
 
-def place_camera(view, points, viewpoint):
-    """Nearly all points are in the picture: a lone fragment that flies away does not make the block small."""
+def place_camera(view, points, viewpoint, radius):
+    """All is in the picture but a lone fragment that flies away: it does not make the block small.
+
+    radius: of what is drawn around each point.
+    """
     towards = -viewpoint / numpy.linalg.norm(viewpoint)
     right = numpy.cross(towards, [0, 0, 1])
     right /= numpy.linalg.norm(right)
     axes = numpy.array([right, numpy.cross(right, towards), towards])
     projected = points @ axes.T
     low, high = numpy.quantile(projected, [0.002, 0.998], axis=0)
-    focus = (low + high) / 2
-    inside = numpy.all((projected >= low) & (projected <= high), axis=1)
-    offsets = abs(projected[inside] - focus) * [1, 1, 0] + (projected[inside] - focus) * [0, 0, 1]
+    near = (high - low) / 4
+    inside = projected[numpy.all((projected >= low - near) & (projected <= high + near), axis=1)]
+    focus = (inside.min(axis=0) + inside.max(axis=0)) / 2
+    offsets = abs(inside - focus) * [1, 1, 0] + (inside - focus) * [0, 0, 1] + [radius, radius, -radius]
     tangent = numpy.tan(numpy.radians(view.CameraViewAngle / 2))
     aspect = view.ViewSize[0] / view.ViewSize[1]
     distance = (numpy.maximum(offsets[:, 0] / aspect, offsets[:, 1]) / tangent - offsets[:, 2]).max()
     view.CameraViewUp = [0, 0, 1]
     view.CameraFocalPoint = (focus @ axes).tolist()
     view.CameraPosition = (focus @ axes - towards * distance * 1.05).tolist()
+
+
+def write_title(view, title):
+    display = Show(Text(Text=title), view)
+    display.WindowLocation = "Upper Center"
+    display.Color = [0, 0, 0]
+    display.FontSize = max(8, view.ViewSize[1] // 28)
 
 
 def shown(view, source, colour):
@@ -230,7 +242,10 @@ def main():
     if options.out.suffix == ".png":
         files = [chosen(files, options.frame)]
     ends = [files[0], files[-1]] if len(files) > 1 else files
-    place_camera(view, numpy.concatenate([points_of(file) for file in ends]), options.viewpoint)
+    radius = mass_radius(options.directory) if options.view == "masses" else 0
+    place_camera(view, numpy.concatenate([points_of(file) for file in ends]), options.viewpoint, radius)
+    if options.title:
+        write_title(view, options.title)
     if options.out.suffix == ".png":
         picture(options, view, files[0], latest, options.out)
     else:

@@ -29,10 +29,7 @@ int main(int argc, char** argv) {
     try {
         const auto command = simulation::parse(argc, argv);
         if (const auto* answer = std::get_if<simulation::Answer>(&command)) {
-            if (comm.is_root()) {
-                std::fputs(answer->text.c_str(), stdout);
-            }
-            return answer->exit_code;
+            return simulation::answer(comm, *answer);
         }
         return simulation::execute(comm, std::get<simulation::CommandLine>(command));
     } catch (const InputError& error) {

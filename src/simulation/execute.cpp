@@ -1,5 +1,6 @@
 #include "simulation/execute.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -78,38 +79,72 @@ void check_unbuilt(const Scene& scene, int ranks) {
     }
 }
 
+/// A run whose end is to be told.
+struct Ending {
+    const partition::Communicator& comm;
+    const Simulation& simulation;
+    const Forecast& forecast;
+    const std::filesystem::path file;
+    RunFiles& files;
+
+    [[nodiscard]] io::Summary summary() const { return summarize(simulation, forecast, files.frames()); }
+    void write(const io::Summary& summary) const {
+        io::on_root(comm, [&] { io::write_summary(file, summary); });
+    }
+};
+
+void leave_invalid(const Ending& ending, const InvalidRun& invalid) {
+    ending.files.finish();
+    io::Summary summary = ending.summary();
+    summary.status = io::Status::invalid;
+    summary.invalid = {invalid.step(), invalid.mass(), invalid.what()};
+    ending.write(summary);
+}
+
+/// Does what can be done on a disk that may be full: why the run ended is told already.
+void if_possible(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const SharedError&) {
+    }
+}
+
+void leave_stopped(const Ending& ending, const SharedError& error) {
+    io::Summary summary = ending.summary();
+    summary.status = io::Status::stopped;
+    summary.error = error.what();
+    if_possible([&] { ending.write(summary); });
+    if_possible([&] { ending.files.finish(); });
+}
+
 /// Returns the exit code.
 int run_with_files(const partition::Communicator& comm, Simulation& simulation, const Forecast& forecast,
                    const io::RunDirectory& directory, io::Log& log, ProgressStyle style) {
     Progress progress{log, style};
     RunFiles files{simulation, directory, progress};
-    const auto write = [&](const io::Summary& summary) {
-        io::on_root(comm, [&] { io::write_summary(directory.file("summary.json"), summary); });
-    };
+    const Ending ending{comm, simulation, forecast, directory.file("summary.json"), files};
     try {
         simulation.run(files);
+        files.finish();
     } catch (const InvalidRun& invalid) {
         log.error(invalid.what());
-        files.finish();
-        write(summarize(simulation, forecast, files.frames(), &invalid));
+        leave_invalid(ending, invalid);
         throw;
     } catch (const SharedError& error) {
         log.error(error.what());
+        leave_stopped(ending, error);
         return 1;
     }
-    files.finish();
-    const io::Summary summary = summarize(simulation, forecast, files.frames(), nullptr);
-    write(summary);
+    const io::Summary summary = ending.summary();
+    ending.write(summary);
     tell(log, closing_lines(summary, directory.path().string()));
     return 0;
 }
 
-}  // namespace
-
-int execute(const partition::Communicator& comm, const CommandLine& command) {
+/// Returns the exit code.
+int follow(const partition::Communicator& comm, const CommandLine& command, io::Log& log) {
     physics::limit_simd_target(comm.min(physics::best_simd_target()));
     Stopwatch stopwatch;
-    io::Log log{comm, command.quiet};
     const Machine machine = look_around(comm);
     const io::RunDirectory directory{command.directory()};
     const Scene scene = read_scene(read_input(comm, command.input), command.input.string(), command.settings);
@@ -148,6 +183,25 @@ int execute(const partition::Communicator& comm, const CommandLine& command) {
                  " cannot lock files: no other run may write there meanwhile");
     }
     return run_with_files(comm, *simulation, found, directory, log, command.progress);
+}
+
+/// The exit code when all is said: what could not be said is no success. Collective.
+int closing_code(const partition::Communicator& comm, const io::Log& log, int code) {
+    const bool unsaid = comm.any(log.lost_terminal());
+    return unsaid && code == 0 ? 1 : code;
+}
+
+}  // namespace
+
+int answer(const partition::Communicator& comm, const Answer& given) {
+    io::Log log{comm, false};
+    log.info(given.text.substr(0, given.text.find_last_not_of('\n') + 1));
+    return closing_code(comm, log, given.exit_code);
+}
+
+int execute(const partition::Communicator& comm, const CommandLine& command) {
+    io::Log log{comm, command.quiet};
+    return closing_code(comm, log, follow(comm, command, log));
 }
 
 }  // namespace cracksim::simulation

@@ -17,9 +17,11 @@ namespace {
 
 // Measured; all else follows from the sizes of what is held.
 
-/// What libraries take when they are first used (HDF5, messages, code): the peak of runs of one entity a rank, over what the process
-/// held before: 5.7 MB on one rank, 6.3 MB on four.
+/// What libraries take when they are first used (HDF5, messages, code) beside the block.
 constexpr double libraries_in_use = 6e6;
+/// What they take for a while where no block gave them room, over what the process held before: the peak of runs of 1 to 224 entities,
+/// 8.5 MB on one rank, 8.9 to 9.2 MB on two and four.
+constexpr Range least_in_use{8'400'000, 9'300'000};
 /// Per entity of the whole block, on the root: the graph, and METIS's coarser graphs; the peak of 800,000 entities on 8 ranks.
 constexpr double metis_per_entity = 180;
 /// Per mass that is sent or received: ids, PetscSF's lists and buffers.
@@ -30,6 +32,10 @@ constexpr double hash_node = 40;
 constexpr double duplets = physics::Network::duplets_per_interface;
 
 double number(std::int64_t n) { return static_cast<double>(n); }
+double between(const Range& range, double opened) {
+    return number(range.intact) + opened * number(range.broken - range.intact);
+}
+
 double masses(const PartLoad& load) { return Hexahedron::corners * number(load.local); }
 
 double network_bytes(const PartLoad& load) {
@@ -69,10 +75,6 @@ double partition_bytes(const Scene& scene, const RankSetting& setting) {
     const bool by_metis = setting.is_root && setting.ranks > 1 && scene.partition == PartitionKind::metis;
     return number(scene.block.entity_count()) *
            (sizeof(Rank) + sizeof(std::uint8_t) + (by_metis ? metis_per_entity : 0.0));
-}
-
-double between(const Range& range, double opened) {
-    return number(range.intact) + opened * number(range.broken - range.intact);
 }
 
 /// Cells of a frame that a rank makes of its own entities, and that it files by their ids: the first run of ids has the lower side
@@ -157,8 +159,8 @@ std::int64_t peak_bytes(const Scene& scene, const PartLoad& load, const RankSett
     // pieces that a coat leaves are too small for a frame.
     const double running =
         model + event_bytes(scene, load, setting, opened) + frame_bytes(scene, load, setting, opened);
-    const double phases = std::max(partition_bytes(scene, setting), running);
-    return setting.process_bytes + std::llround(libraries_in_use + phases);
+    const double phases = libraries_in_use + std::max(partition_bytes(scene, setting), running);
+    return setting.process_bytes + std::llround(std::max(phases, between(least_in_use, opened)));
 }
 
 }  // namespace cracksim::simulation

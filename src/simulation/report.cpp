@@ -76,18 +76,13 @@ std::vector<io::Summary::Fragment> largest_fragments(const Simulation& simulatio
 
 }  // namespace
 
-io::Summary summarize(const Simulation& simulation, const Forecast& forecast, std::vector<io::FrameSeries> frames,
-                      const InvalidRun* invalid) {
+io::Summary summarize(const Simulation& simulation, const Forecast& forecast, std::vector<io::FrameSeries> frames) {
     const partition::Communicator& comm = simulation.comm();
     const Dynamics& dynamics = simulation.dynamics();
     const CertifiedStep& certified = simulation.certified();
     const Totals totals = simulation.totals();
     const Energies& energies = simulation.energies();
     io::Summary summary;
-    summary.status = invalid != nullptr ? io::Status::invalid : io::Status::finished;
-    if (invalid != nullptr) {
-        summary.invalid = {invalid->step(), invalid->mass(), invalid->what()};
-    }
     summary.provenance = provenance(simulation);
     summary.counts = scene_counts(simulation.scene());
     summary.time = {simulation.scene().time.scheme == physics::Scheme::ab2 ? "ab2" : "cordis",

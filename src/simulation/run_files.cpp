@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/errors.hpp"
+#include "core/text.hpp"
 #include "io/agreement.hpp"
 #include "simulation/pictures.hpp"
 
@@ -114,7 +116,15 @@ void RunFiles::history(const Simulation& simulation) {
     });
 }
 
-void RunFiles::heartbeat(const Simulation& simulation) { progress_->heartbeat(simulation); }
+void RunFiles::heartbeat(const Simulation& simulation) {
+    progress_->heartbeat(simulation);
+    if (stop_.is_made(simulation.comm())) {
+        const physics::State& state = simulation.dynamics().state();
+        throw SharedError{"stopped at step " + std::to_string(state.step) + " of " +
+                          std::to_string(simulation.certified().steps) + " (t = " + rounded(state.time(), 6) +
+                          " s) by SIGTERM or SIGINT; what was written until then is whole"};
+    }
+}
 
 void RunFiles::finish() {
     io::on_root(*comm_, [&] { background_.wait(); });
@@ -123,7 +133,8 @@ void RunFiles::finish() {
     }
 }
 
-std::vector<io::FrameSeries> RunFiles::frames() const {
+std::vector<io::FrameSeries> RunFiles::frames() {
+    background_.settle();
     std::vector<io::FrameSeries> all;
     for (const Series& series : series_) {
         all.push_back(series.writer->series());

@@ -10,6 +10,7 @@
 #include "io/frame_writer.hpp"
 #include "io/history_writer.hpp"
 #include "io/run_directory.hpp"
+#include "partition/stop_request.hpp"
 #include "simulation/progress.hpp"
 #include "simulation/simulation.hpp"
 #include "simulation/surface_frames.hpp"
@@ -25,11 +26,13 @@ public:
     void coat(const Simulation& simulation, const News& news) override;
     void frame(const Simulation& simulation) override;
     void history(const Simulation& simulation) override;
+    /// Throws SharedError if the run was asked to stop.
     void heartbeat(const Simulation& simulation) override;
 
     /// Completes the files that list others, at the end of a run. Collective.
     void finish();
-    [[nodiscard]] std::vector<io::FrameSeries> frames() const;
+    /// Those that are whole; on the root all of them.
+    [[nodiscard]] std::vector<io::FrameSeries> frames();
 
 private:
     enum class Picture { surface, crack, masses, topology };
@@ -47,6 +50,7 @@ private:
     std::vector<Series> series_;
     Progress* progress_;
     const partition::Communicator* comm_;
+    partition::StopRequest stop_;
     std::optional<SurfaceFrames> surface_frames_;  ///< until they become too large
     io::Background background_;                    ///< the last member: its jobs use the others
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <unordered_set>
 #include <utility>
 
 #include "io/text_file.hpp"
@@ -18,7 +19,7 @@ namespace {
 using io::InputNode;
 
 io::Expression read_threshold(const InputNode& node) {
-    io::Expression threshold = io::read_expression(node);
+    io::Expression threshold = io::read_expression(node, InputNode::Infinity::allowed);
     refuse_time(node, threshold);
     if (threshold.is_constant() && !(threshold({}, 0) > 0)) {
         node.fail("a threshold is a stretch above 0 (.inf: never), not " + node.shown());
@@ -110,9 +111,10 @@ std::vector<Support> read_supports(const InputNode& root) {
     if (items.size() > most) {
         node->fail("has more than " + std::to_string(most) + " supports; join their boxes");
     }
+    std::unordered_set<std::string> names;
     for (const InputNode& item : items) {
         Support support = read_support(item, supports.size());
-        if (std::ranges::find(supports, support.name, &Support::name) != supports.end()) {
+        if (!names.insert(support.name).second) {
             item.fail("there is a support named '" + support.name + "' already; choose another name");
         }
         supports.push_back(std::move(support));

@@ -12,6 +12,7 @@
 #include "core/text.hpp"
 #include "core/vec3.hpp"
 #include "io/expression.hpp"
+#include "io/input_text.hpp"
 #include "io/input_tree.hpp"
 #include "simulation/scene_keys.hpp"
 
@@ -78,8 +79,15 @@ inline constexpr std::string_view this_version = "cracksim 0.1";
 /// A text that messages can show.
 [[nodiscard]] inline std::string line(const io::InputNode& node, std::size_t longest) {
     std::string text = node.text();
-    if (text.size() > longest || std::ranges::any_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7f; })) {
-        node.fail("needs one line of at most " + std::to_string(longest) + " bytes, not " + node.shown());
+    const std::string fault =
+        "needs one line of at most " + std::to_string(longest) + " bytes, not " + node.shown() + "; ";
+    if (text.size() > longest) {
+        node.fail(fault + "it has " + std::to_string(text.size()));
+    }
+    if (const std::size_t i = io::find_control_character(text); i != std::string::npos) {
+        const std::string code = io::hexadecimal(*io::control_character(text.substr(i)));
+        node.fail(fault + "remove the " + (text[i] == '\n' ? "line break" : "control character " + code) + " at byte " +
+                  std::to_string(i + 1));
     }
     return text;
 }
@@ -115,7 +123,7 @@ template <class Enum, std::size_t size>
 
 /// An expression whose value must be finite where that can be known already.
 [[nodiscard]] inline io::Expression finite_expression(const io::InputNode& node) {
-    io::Expression expression = io::read_expression(node);
+    io::Expression expression = io::read_expression(node, io::InputNode::Infinity::refused);
     if (expression.is_constant() && !std::isfinite(expression({}, 0))) {
         node.fail("must be finite, not " + node.shown());
     }

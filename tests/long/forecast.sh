@@ -9,6 +9,7 @@ export OMPI_MCA_mpi_yield_when_idle=1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failed=0
+jobs/build.sh release cracksim >/dev/null
 
 # compare intact|broken|between NAME RANKS OPTIONS...
 compare() {

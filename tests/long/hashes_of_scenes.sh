@@ -11,6 +11,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 declare -A expected
 failed=0
+jobs/build.sh release cracksim >/dev/null
+jobs/build.sh sanitize cracksim >/dev/null
 
 # compare SCENE BINARY RANKS OPTIONS...
 compare() {

@@ -8,6 +8,7 @@ export OMPI_MCA_mpi_yield_when_idle=1
 seed=${CRACKSIM_SEED:-$((RANDOM * 32768 + RANDOM))}
 export CRACKSIM_SCENES=500
 failed=0
+jobs/build.sh release verification_oracle_test >/dev/null
 
 echo "$(date -u +%F), commit $(git rev-parse --short HEAD)"
 for ranks in 1 2 1 2; do

@@ -45,6 +45,18 @@ def holds_if_nothing_breaks(workplace, quick):
         check(found["events"]["duplets"] == 0, "something broke")
 
 
+def memory_of_the_smallest_blocks_lies_in_its_range(workplace, quick):
+    """There all is libraries; what a process takes differs by some hundred kB from run to run."""
+    for ranks in () if quick else (1, 2, 4):
+        for cells in ("[1, 1, 1]", "[4, 4, 2]", "[8, 7, 4]"):
+            for end in (INTACT, BROKEN):
+                arguments = ["--set", f"block.cells={cells}", "--set", "time.end=0.1", *end]
+                found = summary(workplace.finished(BLOCK, *arguments, ranks=ranks))
+                low, high = (found["forecast"][f"memory_{name}"] for name in ("intact", "broken"))
+                measured = found["memory"]["per_rank_max"]
+                check(low - 5e5 < measured <= high, f"{cells} on {ranks} ranks: {measured} is not in {low} to {high}")
+
+
 def memory_grows_with_the_block_as_was_said(workplace, quick):
     """Half of a small run's memory is libraries: what the block itself takes must be right too."""
     for ranks in () if quick else (1, 2):
@@ -115,6 +127,6 @@ def huge_block_is_forecast_at_once_and_with_a_warning(workplace, quick):
         check("use ranks on more machines" in done.stderr, f"no warning of too little memory:\n{done.stderr}")
 
 
-main([holds_if_nothing_breaks, memory_grows_with_the_block_as_was_said, holds_if_all_of_it_breaks,
+main([holds_if_nothing_breaks, memory_of_the_smallest_blocks_lies_in_its_range, memory_grows_with_the_block_as_was_said, holds_if_all_of_it_breaks,
       cracking_run_lies_between, interfaces_that_open_add_what_was_said, dry_run_says_what_the_run_says,
       huge_block_is_forecast_at_once_and_with_a_warning])

@@ -6,6 +6,7 @@ import os
 import socket
 
 LONG = "n" * 300
+ONE_TOO_MANY = "remove a quote or bracket that is one too many, or put the whole value in quotes"
 
 
 def make_socket(path):
@@ -126,7 +127,20 @@ COMMANDS = [
      "--set time.end: YAML anchors and aliases (&name, *name) are not taken; write the value out, and put an "
      "expression that begins with * or & in quotes"),
     ("setting with two documents", ["scene.yaml", "--set", "title=a\n---\nb"],
-     "--set title: a second document begins here; a scene is one document: remove '---' or '...'"),
+     "--set title: the value ends and something follows; " + ONE_TOO_MANY),
+    ("setting with a quote too many", ["scene.yaml", "--set", 'title="a block""'],
+     "--set title: the value ends and something follows; " + ONE_TOO_MANY),
+    ("setting of a list with a quote too many", ["scene.yaml", "--set", 'initial.velocity=["x*y"", 0, 0]'],
+     "--set initial.velocity: the text ends inside a quote; close it where it should end, or remove the quote that is one "
+     "too many"),
+    ("setting of a number with a quote too many", ["scene.yaml", "--set", 'time.end=0.5"'],
+     "--set time.end: needs a number above 0 s, not '0.5\"'; remove the quote in it"),
+    ("setting with a bracket too many", ["scene.yaml", "--set", "block.cells=[4, 4, 2]]"],
+     "--set block.cells: this closing bracket is one too many, or one before it is missing or of the other kind"),
+    ("setting of a number in quotes", ["scene.yaml", "--set", 'time.end="0.5"'],
+     "--set time.end: needs a number above 0 s, not '0.5' as a text; remove the quotes"),
+    ("setting with a control character", ["scene.yaml", "--set", "title=a\x07"],
+     "--set title: the control character 0x07 has no place in a scene; remove it"),
     ("setting that is not text", ["scene.yaml", "--set", b"title=\xff"],
      "--set title: the byte 0xFF is not text; a scene is YAML in UTF-8"),
     ("setting with a long path", ["scene.yaml", "--set", ".".join(["a"] * 60) + "=1"],

@@ -13,7 +13,12 @@ TEXTS = [
     ("text in Latin-1", SCENE.encode().replace(b"a block", b"ein W\xfcrfel"),
      ":1:13: the byte 0xFC is not text; a scene is YAML in UTF-8"),
     ("text in UTF-16", SCENE.encode("utf-16"), ":1:1: the byte 0xFF is not text; a scene is YAML in UTF-8"),
-    ("escape sequence", b"title: \x1b[2J\n", ":1:8: the byte 0x1B is not text; a scene is YAML in UTF-8"),
+    ("escape sequence", b"title: \x1b[2J\n", ":1:8: the control character 0x1B has no place in a scene; remove it"),
+    ("control character above ASCII", "title: a\u009b2J\n".encode(),
+     ":1:9: the control character 0x9B has no place in a scene; remove it"),
+    ("quote too many", SCENE.encode().replace(b"title: a block", b'title: "a block""'),
+     ":13:25: the text ends inside a quote; close it where it should end, or remove the quote that is one too many; "
+     "the quotes of line 1 do not pair"),
     ("tab that indents", SCENE.encode().replace(b"  - {name", b"\t- {name"),
      ":8:1: a tab indents this line; YAML takes spaces only"),
     ("key given twice", SCENE.encode() + b"time: {end: 2}\n",
@@ -38,13 +43,12 @@ TEXTS = [
     ("list for a key", b"? [a, b]\n: 1\n",
      ":1:3: a key must be plain text, not a list or a map; is a bracket open that should be closed?"),
     ("open bracket", SCENE.encode().replace(b"[4, 4, 2]", b"[4, 4, 2"),
-     ":2:75: not valid YAML: illegal flow end; check brackets, colons and indentation here and just before, and "
-     "put expressions in quotes"),
+     ":2:75: this closing bracket is one too many, or one before it is missing or of the other kind"),
     ("bracket too many", SCENE.encode().replace(b"[4, 4, 2]", b"[4, 4, 2]]"),
-     ":2:45: not valid YAML: illegal flow end; check brackets, colons and indentation here and just before, and "
-     "put expressions in quotes"),
+     ":2:45: this closing bracket is one too many, or one before it is missing or of the other kind"),
     ("open quote", SCENE.encode().replace(b"title: a", b'title: "a'),
-     ":13:25: the text ends inside a quote; close it where it should end"),
+     ":13:25: the text ends inside a quote; close it where it should end, or remove the quote that is one too many; "
+     "the quotes of line 1 do not pair"),
     ("colon in a plain value", SCENE.encode().replace(b"threshold: 0.02", b"threshold: x > 0 ? 1 : 2"),
      ":5:10: the bracket that opens here is not closed, or an expression in it needs quotes"),
     ("value that is indented too little", b"block:\n    cells: [1, 1, 1]\n  edge: 1\n",

@@ -9,17 +9,54 @@ SUPPORT = "  - {where: {box: [[-1, -1, -1], [1, 1, 1]]}, velocity: [1, 0, 0]}\n"
 
 MEANING = [
     Row("name of two lines", "name: left", 'name: "left\\nright"',
-        ":8:12: supports.0.name: needs one line of at most 60 bytes, not 'left right'"),
+        ":8:12: supports.0.name: needs one line of at most 60 bytes, not 'left right'; "
+        "remove the line break at byte 5"),
     Row("more cells than can be counted", "[4, 4, 2]", "[2000000000, 4, 2]",
         ":2:29: block.cells: makes more than 2000000000 entities, the most that a block may have; use fewer cells"),
+    Row("length in quotes", "edge: 0.01", 'edge: "0.01"',
+        ":2:53: block.edge: needs a number above 0 m, not '0.01' as a text; remove the quotes"),
+    Row("number of cells in quotes", "[4, 4, 2]", "['4', 4, 2]",
+        ":2:37: block.cells.0: needs an integer from 1 to 2000000000, not '4' as a text; remove the quotes"),
+    Row("true in quotes", "prefilter: true", 'prefilter: "true"',
+        ":5:83: sensors.prefilter: needs true or false, not 'true' as a text; remove the quotes"),
+    Row("length with a quote too many", "edge: 0.01", 'edge: 0.01"',
+        ":2:53: block.edge: needs a number above 0 m, not '0.01\"'; remove the quote in it"),
+    Row("infinite length without its point", "edge: 0.01", "edge: inf",
+        ":2:53: block.edge: needs a number above 0 m, not 'inf'; it must be finite"),
+    Row("infinite box without its point", "[-1, -1, -1]", "[-inf, -1, -1]",
+        ":8:33: supports.0.where.box.0.0: needs a number, not '-inf'; infinity is written .inf"),
+    Row("infinite threshold without its point", "threshold: 0.02", "threshold: inf",
+        ":5:36: sensors.threshold: needs a number or an expression, not 'inf'; infinity is written .inf"),
+    Row("infinite velocity without its point", "velocity: [0, 0, 0]", "velocity: [inf, 0, 0]",
+        ":6:47: initial.velocity.0: needs a number or an expression, not 'inf'; it must be finite"),
+    Row("infinity in a formula", "threshold: 0.02", 'threshold: "2*x + .inf"',
+        ":5:36: sensors.threshold: '2*x + .inf' is not a number or an expression: '.inf' at character 7: infinity "
+        "has no place in a formula" + ALLOWED),
+    Row("velocity that no computer holds", "velocity: [0, 0, 0]", "velocity: [-1e400, 0, 0]",
+        ":6:47: initial.velocity.0: needs a number or an expression, not '-1e400'; it is too large to be held: numbers "
+        "reach 1.7e308"),
+    Row("threshold that no computer holds", "threshold: 0.02", "threshold: 1e400",
+        ":5:36: sensors.threshold: needs a number or an expression, not '1e400'; it is too large to be held: numbers "
+        "reach 1.7e308, and infinity is written .inf"),
+    Row("number in a formula that no computer holds", "threshold: 0.02", 'threshold: "1e400*x"',
+        ":5:36: sensors.threshold: '1e400*x' is not a number or an expression: '1e400' at character 1 is too large; "
+        "numbers reach up to 1.7e308" + ALLOWED),
+    Row("title of control characters", "title: a block", 'title: "\\e[2Jgone"',
+        ":1:8: title: needs one line of at most 200 bytes, not ' [2Jgone'; remove the control character 0x1B at byte 1"),
+    Row("title that steers a terminal by one character", "title: a block", 'title: "a\\x9b2J"',
+        ":1:8: title: needs one line of at most 200 bytes, not 'a 2J'; remove the control character 0x9B at byte 2"),
+    Row("endless title", "title: a block", "title: " + "a" * 201,
+        ":1:8: title: needs one line of at most 200 bytes, not '" + "a" * 60 + "...'; it has 201"),
     Row("length beyond all numbers", "edge: 0.01", "edge: 1e300",
         ":2:53: block.edge: every edge must be above 0 m and within 1e-60 to 1e60 m, not 1e+300"),
     Row("infinite length", "edge: 0.01", "edge: .inf",
         ":2:53: block.edge: needs a number above 0 m, not '.inf'; it must be finite"),
     Row("number that no computer holds", "edge: 0.01", "edge: 1e999",
-        ":2:53: block.edge: needs a number above 0 m, not '1e999'; numbers reach from 2.3e-308 to 1.7e308"),
+        ":2:53: block.edge: needs a number above 0 m, not '1e999'; it is too large to be held: "
+        "numbers reach 1.7e308"),
     Row("number lost beside 0", "edge: 0.01", "edge: 1e-310",
-        ":2:53: block.edge: needs a number above 0 m, not '1e-310'; numbers reach from 2.3e-308 to 1.7e308"),
+        ":2:53: block.edge: needs a number above 0 m, not '1e-310'; it is too near 0 to be held: "
+        "numbers begin at 2.3e-308"),
     Row("not a number", "edge: 0.01", "edge: .nan", ":2:53: block.edge: needs a number above 0 m, not '.nan'"),
     Row("origin far away", "origin: [0, 0, 0]", "origin: [1e15, 0, 0]",
         ":2:1: block: lies so far from 0 along x (1e+15 m) that positions one edge apart are hardly told apart; "
@@ -62,8 +99,8 @@ MEANING = [
     Row("empty expression", "threshold: 0.02", 'threshold: ""',
         ":5:36: sensors.threshold: '' is not a number or an expression: it is empty" + ALLOWED),
     Row("expression with a zero byte", "threshold: 0.02", 'threshold: "x\\0"',
-        ":5:36: sensors.threshold: 'x ' is not a number or an expression: ' ' at character 2 has no meaning in "
-        "an expression" + ALLOWED),
+        ":5:36: sensors.threshold: 'x ' is not a number or an expression: the control character 0x00 at "
+        "character 2 has no meaning in an expression" + ALLOWED),
     Row("expression in Greek", "threshold: 0.02", 'threshold: "2·π"',
         ":5:36: sensors.threshold: '2·π' is not a number or an expression: '·' at character 2 has no meaning in "
         "an expression" + ALLOWED),
@@ -87,7 +124,8 @@ MEANING = [
         ":5:36: sensors.threshold: the threshold at x = 0.01, y = 0, z = 0 m is not a number; a threshold is a "
         "stretch above zero (.inf: never); change the expression so that it is positive everywhere"),
     Row("threshold lost beside 0", "threshold: 0.02", "threshold: 1e-320",
-        ":5:36: sensors.threshold: a threshold is a stretch above 0 (.inf: never), not '1e-320'"),
+        ":5:36: sensors.threshold: needs a number or an expression, not '1e-320'; it is too near 0 to be held: "
+        "numbers begin at 2.3e-308"),
     Row("threshold that scatters to 0", "threshold: 0.02, weibull: {shape: 8",
         "threshold: 2.3e-308, weibull: {shape: 0.1",
         ":5:36: sensors.threshold: the threshold at x = 0.01, y = 0, z = 0 m is 0; a threshold is a stretch "
@@ -110,14 +148,15 @@ MEANING = [
         ":7:1: supports: supports 'left' and 'support 1' both prescribe the velocity along x of mass 0 at x = 0, "
         "y = 0, z = 0 m; make the boxes disjoint or leave one component null"),
     Row("support with an infinite velocity", "[0, 0, null]", "[0, .inf, null]",
-        ":8:77: supports.0.velocity.1: must be finite, not '.inf'"),
+        ":8:77: supports.0.velocity.1: needs a number or an expression, not '.inf'; it must be finite"),
     Row("more supports than can be counted", "  - {name: left", SUPPORT * 30_000 + "  - {name: left",
         ":7:1: supports: has more than 30000 supports; join their boxes"),
     Row("end without end", "end: 0.01", "end: 1e300",
         ":9:13: time.end: 1e+300 s takes 1.36618e+303 steps of 0.000731968 s, more than can be counted; use an "
         "earlier end"),
     Row("step lost beside 0", "step: auto", "step: 1e-320",
-        ":9:25: time.step: needs auto or a number above 0 s, not '1e-320'; numbers reach from 2.3e-308 to 1.7e308"),
+        ":9:25: time.step: needs auto or a number above 0 s, not '1e-320'; it is too near 0 to be held: "
+        "numbers begin at 2.3e-308"),
     Row("steps that cannot be counted", "step: auto", "step: 1e-30",
         ":9:25: time.step: makes 1e+28 steps to time.end, more than can be counted; use a larger step"),
     Row("step above the bound", "step: auto", "step: 0.1",

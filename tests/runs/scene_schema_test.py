@@ -41,8 +41,15 @@ VALUES = [None, True, False, -1, 0, 1, 2, 0.25, 1.5, -0.5, 2147483648, "", "no s
           [[0, 0], [1, 1, 1]], [[0, 0, 0], [1, 1, 1], [2, 2, 2]], [SUPPORT], [SUPPORT, SUPPORT], [{}], {"no_such_key": 1},
           "tetrahedron",
           "tree", "wide", "full", "rk4", "implicit", "static"]
-# Of values that have the right form, only the reader can know that they make no sense, and says so.
-ONLY_THE_READER = ("is not a number or an expression", "may depend on x, y, z, but not on t")
+# Values whose spelling matters, as they stand in a file; every key is tried with them too.
+TEXTS = ['"50"', "'1'", '"0.25"', '"1e3"', '"-1"', '"true"', '"null"', '""', ".inf", "-.inf", ".Inf", "-.INF", '".inf"', ".nan",
+         "inf", "1e400", "-1e400", '"1e400"', "1e3", "4.0", "+1", "True", "FALSE", "yes", "Null", "~", "0x10", '"a\\tb"',
+         '"a\\x9bb"']
+# Of values that have the right form, only the reader can know that they make no sense, and says so. Quoted text may be an
+# expression; .nan is a number that no bound excludes.
+ONLY_THE_READER = ("is not a number or an expression", "may depend on x, y, z, but not on t", "must be finite",
+                   "too large to be held", "infinity is written .inf", "lies so far from 0",
+                   "outside of 1e-60 to 1e60", "the lower corner is above the upper one", "more than can be counted", "a threshold is a stretch above 0 (.inf: never), not '-1'", "not '.nan'", "not '0x10'")
 
 
 class Core(yaml.SafeLoader):
@@ -51,8 +58,9 @@ class Core(yaml.SafeLoader):
 
 Core.yaml_implicit_resolvers = {}
 for kind, pattern, first in [
-        ("bool", r"true|false", "tf"), ("null", r"null|~|", ["n", "~", ""]), ("int", r"[-+]?[0-9]+", "-+0123456789"),
-        ("float", r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?|[-+]?\.inf|\.nan", "-+.0123456789")]:
+        ("bool", r"true|True|TRUE|false|False|FALSE", "tTfF"), ("null", r"null|Null|NULL|~|", ["n", "N", "~", ""]),
+        ("int", r"[-+]?[0-9]+|0x[0-9a-fA-F]+", "-+0123456789"),
+        ("float", r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?|[-+]?\.(inf|Inf|INF)|\.nan", "-+.0123456789")]:
     Core.add_implicit_resolver(f"tag:yaml.org,2002:{kind}", re.compile(f"^(?:{pattern})$"), list(first))
 
 
@@ -107,21 +115,37 @@ def yaml_text(scene):
     return json.dumps(scene).replace("Infinity", ".inf")
 
 
+def check_agreement(cases):
+    """Cases are a path, what is said of it, the text of a scene and whether the schema takes that; how often it does."""
+    verdicts = {True: 0, False: 0}
+    for (path, value, _, valid), answer in zip(cases, answers(text for _, _, text, _ in cases), strict=True):
+        verdicts[valid] += 1
+        verdict = f"the schema {'takes' if valid else 'refuses'} it, the reader says '{answer}'"
+        what = f"{'.'.join(path)}: {value}: {verdict}"
+        check(valid or answer, what)
+        check(not valid or not answer or any(why in answer for why in ONLY_THE_READER), what)
+    check(min(verdicts.values()) > 100, f"too few cases to tell anything: {verdicts}")
+
+
 def reader_and_schema_agree(workplace, quick):
     del workplace, quick
     words = [word for _, schema in properties(SCHEMA) for word in schema.get("enum", [])]
     cases = [(path, value) for path, schema in properties(SCHEMA) for value in [*VALUES, *words, *own_values(schema)]]
     cases += [((*section, "no_such_key"), 1) for section in {path[:-1] for path, _ in properties(SCHEMA)}]
     scenes = [scene_of(path, value) for path, value in cases]
-    verdicts = {True: 0, False: 0}
-    for (path, value), scene, answer in zip(cases, scenes, answers(map(yaml_text, scenes)), strict=True):
-        valid = VALIDATOR.is_valid(scene)
-        verdicts[valid] += 1
-        verdict = f"the schema {'takes' if valid else 'refuses'} it, the reader says '{answer}'"
-        what = f"{'.'.join(path)}: {json.dumps(value)}: {verdict}"
-        check(valid or answer, what)
-        check(not valid or not answer or any(why in answer for why in ONLY_THE_READER), what)
-    check(min(verdicts.values()) > 100, f"too few cases to tell anything: {verdicts}")
+    check_agreement([(path, json.dumps(value), yaml_text(scene), VALIDATOR.is_valid(scene))
+                     for (path, value), scene in zip(cases, scenes)])
+
+
+def reader_and_schema_read_a_spelling_alike(workplace, quick):
+    del workplace, quick
+    cases = []
+    for path, schema in properties(SCHEMA):
+        lists = [["@", 1, 1], [1, 1, "@"], [["@", 0, 0], [1, 1, 1]], [[0, 0, 0], [1, "@", 1]]]
+        for shape in ["@", *(lists if "array" in schema.get("type", "") else [])]:
+            text = yaml_text(scene_of(path, shape))
+            cases += [(path, f"{shape} with @ = {spelling}", text.replace('"@"', spelling)) for spelling in TEXTS]
+    check_agreement([(*case, VALIDATOR.is_valid(parsed(case[2]))) for case in cases])
 
 
 def reader_and_schema_know_the_same_words(workplace, quick):
@@ -175,5 +199,5 @@ def schema_is_one(workplace, quick):
 
 
 if __name__ == "__main__":
-    main([schema_is_one, reader_and_schema_agree, reader_and_schema_know_the_same_words,
+    main([schema_is_one, reader_and_schema_agree, reader_and_schema_read_a_spelling_alike, reader_and_schema_know_the_same_words,
           scenes_of_the_project_are_valid, wrong_forms_are_refused, readme_says_the_same])

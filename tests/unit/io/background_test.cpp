@@ -41,6 +41,13 @@ TEST(Background, TellsWhatAJobThrewOnceAndDropsTheJobsBehindIt) {
     EXPECT_EQ(done, 1);
 }
 
+TEST(Background, SettlesWithoutTellingWhatAJobThrew) {
+    Background background;
+    background.post([] { throw std::runtime_error{"no room"}; });
+    EXPECT_NO_THROW(background.settle());
+    EXPECT_THROW(background.check(), std::runtime_error);
+}
+
 TEST(Background, DropsWhatHasNotBegunWhenItEnds) {
     int done = 0;
     {

@@ -31,9 +31,9 @@ std::string explained(const std::string& text, const std::string& why) {
     return "'" + text + "' is not a number or an expression: " + why + "; allowed are " + Expression::allowed();
 }
 
-Expression read(const std::string& yaml) {
+Expression read(const std::string& yaml, InputNode::Infinity infinity = InputNode::Infinity::allowed) {
     const InputTree tree{"k: " + yaml, "a.yaml"};
-    return read_expression(tree.root().at("k"));
+    return read_expression(tree.root().at("k"), infinity);
 }
 
 TEST(Expression, KnowsPositionAndTime) {
@@ -173,6 +173,18 @@ TEST(ReadExpression, ErrorsNameThePlace) {
         return "no error";
     };
     EXPECT_EQ(error("2*w"), "a.yaml:1:4: k: " + explained("2*w", "'w' at character 3 is not known"));
+    const auto refused = [](const std::string& yaml) -> std::string {
+        try {
+            read(yaml, InputNode::Infinity::refused);
+        } catch (const InputError& e) {
+            return e.what();
+        }
+        return "no error";
+    };
+    EXPECT_EQ(refused(".inf"), "a.yaml:1:4: k: needs a number or an expression, not '.inf'; it must be finite");
+    EXPECT_EQ(error("1e400*x"), "a.yaml:1:4: k: " + explained("1e400*x",
+                                                              "'1e400' at character 1 is too large; numbers reach "
+                                                              "up to 1.7e308"));
     EXPECT_EQ(error("{a: 1}"),
               "a.yaml:1:1: k: needs a number or an expression, not a map; put an expression that holds ': ' in quotes");
 }

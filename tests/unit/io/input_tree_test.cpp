@@ -128,7 +128,7 @@ TEST(InputTree, RefusesWhatIsNotText) {
     EXPECT_EQ(parsing("a: 1\nb: \xff\n"), "a.yaml:2:4: the byte 0xFF is not text; a scene is YAML in UTF-8");
     EXPECT_EQ(parsing("a: \xc3"), "a.yaml:1:4: the byte 0xC3 is not text; a scene is YAML in UTF-8");
     EXPECT_EQ(parsing("\x89HDF\r\n\x1a\n"), "a.yaml:1:1: the byte 0x89 is not text; a scene is YAML in UTF-8");
-    EXPECT_EQ(parsing("a: 1\x04"), "a.yaml:1:5: the byte 0x04 is not text; a scene is YAML in UTF-8");
+    EXPECT_EQ(parsing("a: 1\x04"), "a.yaml:1:5: the control character 0x04 has no place in a scene; remove it");
     EXPECT_EQ(parsing("a: \xc3\xa9t\xc3\xa9"), "no error");
     EXPECT_EQ(parsing(std::string(5'000'000, '#')),
               "a.yaml: has more than 4 MiB; a scene is a short text: is this the right file?");
@@ -163,7 +163,10 @@ TEST(InputTree, SaysWhereYamlIsBroken) {
         "; check brackets, colons and indentation here and just before, and put expressions in quotes";
     EXPECT_EQ(parsing("a: x > 0 ? 1 : 2\n"), "a.yaml:1:14: not valid YAML: illegal map value" + hint);
     EXPECT_EQ(parsing("a: 1\n b: 2\n"), "a.yaml:2:3: not valid YAML: illegal map value" + hint);
-    EXPECT_EQ(parsing("a: \"x\nb: 1\n"), "a.yaml:2:5: the text ends inside a quote; close it where it should end");
+    EXPECT_EQ(
+        parsing("a: \"x\nb: 1\n"),
+        "a.yaml:2:5: the text ends inside a quote; close it where it should end, or remove the quote that is one too "
+        "many; the quotes of line 1 do not pair");
     EXPECT_EQ(parsing("a: [1, 2\nb: 3\n"),
               "a.yaml:1:4: the bracket that opens here is not closed, or an expression in it needs quotes");
     EXPECT_EQ(parsing("a: {b: 1\n"),
@@ -175,10 +178,18 @@ TEST(InputNode, ReadsNumbersExactly) {
     EXPECT_EQ(number("-2.5e-3"), -2.5e-3);
     EXPECT_EQ(number("+.5"), 0.5);
     EXPECT_EQ(number("5."), 5.0);
-    EXPECT_EQ(number("\"7\""), 7.0);
     EXPECT_EQ(number("1.7976931348623157e308"), std::numeric_limits<double>::max());
     EXPECT_EQ(number(".inf", Infinity::allowed), std::numeric_limits<double>::infinity());
     EXPECT_EQ(number("-.Inf", Infinity::allowed), -std::numeric_limits<double>::infinity());
+}
+
+TEST(InputNode, SaysHowInfinityIsWrittenWhereItIsAllowed) {
+    const auto get = [](const InputNode& node) { static_cast<void>(node.number(Infinity::allowed)); };
+    EXPECT_EQ(getting("-inf", get), "a.yaml:2:6: b.k: needs a number, not '-inf'; infinity is written .inf");
+    EXPECT_EQ(getting("\".inf\"", get), "a.yaml:2:6: b.k: needs a number, not '.inf' as a text; remove the quotes");
+    EXPECT_EQ(getting("1e400", get),
+              "a.yaml:2:6: b.k: needs a number, not '1e400'; it is too large to be held: numbers reach 1.7e308, and "
+              "infinity is written .inf");
 }
 
 TEST(InputNode, ReadsNumbersInAnyLocale) {
@@ -193,14 +204,23 @@ TEST(InputNode, ReadsNumbersInAnyLocale) {
 TEST(InputNode, RefusesWhatIsNotANumber) {
     const auto get = [](const InputNode& node) { static_cast<void>(node.number()); };
     for (const char* text :
-         {"abc", "0x10", "1_000", "inf", "nan", ".nan", "--1", "+-1", "1 m", "2*3", "1.5.2", "e5", "."}) {
+         {"abc", "0x10", "1_000", "infinite", "nan", ".nan", "--1", "+-1", "1 m", "2*3", "1.5.2", "e5", "."}) {
         EXPECT_EQ(getting(text, get), "a.yaml:2:6: b.k: needs a number, not '" + std::string{text} + "'");
     }
-    EXPECT_EQ(getting(".inf", get), "a.yaml:2:6: b.k: needs a number, not '.inf'; it must be finite");
+    for (const char* text : {".inf", "-.INF", "inf", "-inf", "Infinity"}) {
+        EXPECT_EQ(getting(text, get),
+                  "a.yaml:2:6: b.k: needs a number, not '" + std::string{text} + "'; it must be finite");
+    }
+    EXPECT_EQ(getting("\"7\"", get), "a.yaml:2:6: b.k: needs a number, not '7' as a text; remove the quotes");
+    EXPECT_EQ(getting("1\"", get), "a.yaml:2:6: b.k: needs a number, not '1\"'; remove the quote in it");
     EXPECT_EQ(getting("1,5", get), "a.yaml:2:6: b.k: needs a number, not '1,5'; the decimal sign is a point");
-    for (const char* text : {"1e999", "-1e999", "+1e-999", "1e-310", "-4.9e-324"}) {
+    for (const char* text : {"1e999", "-1e999", "+1.5E+400", "1e99999"}) {
         EXPECT_EQ(getting(text, get), "a.yaml:2:6: b.k: needs a number, not '" + std::string{text} +
-                                          "'; numbers reach from 2.3e-308 to 1.7e308");
+                                          "'; it is too large to be held: numbers reach 1.7e308");
+    }
+    for (const char* text : {"+1e-999", "1e-310", "-4.9e-324", "1e-99999"}) {
+        EXPECT_EQ(getting(text, get), "a.yaml:2:6: b.k: needs a number, not '" + std::string{text} +
+                                          "'; it is too near 0 to be held: numbers begin at 2.3e-308");
     }
     EXPECT_EQ(getting("", get), "a.yaml:2:3: b.k: needs a number, not an empty value");
     EXPECT_EQ(getting("[1]", get), "a.yaml:2:3: b.k: needs a number, not a list");

@@ -109,6 +109,16 @@ TEST(Summary, InvalidRunNamesStepMassAndCause) {
     EXPECT_EQ(json["invalid"], (Json{{"step", 12}, {"mass", 34}, {"cause", "the step is above its bound"}}));
 }
 
+TEST(Summary, StoppedRunSaysWhy) {
+    Summary summary;
+    EXPECT_FALSE(Json::parse(summary_text(summary)).contains("error"));
+    summary.status = Status::stopped;
+    summary.error = "the disk is full";
+    const Json json = Json::parse(summary_text(summary));
+    EXPECT_EQ(json["status"], "stopped");
+    EXPECT_EQ(json["error"], "the disk is full");
+}
+
 TEST(Summary, FramesAreListedBySeries) {
     Summary summary;
     summary.frames = {

@@ -233,7 +233,8 @@ TEST(ReadScene, RefusesWrongValues) {
          "--set supports: supports.0.velocity: holds nothing: every component is null; give a velocity in m/s (0: at "
          "rest) for at least one"},
         {{"supports=[{name: \"a\\nb\", where: {box: [[0, 0, 0], [1, 1, 1]]}, velocity: [0, 0, 0]}]"},
-         "--set supports: supports.0.name: needs one line of at most 60 bytes, not 'a b'"},
+         "--set supports: supports.0.name: needs one line of at most 60 bytes, not 'a b'; remove the line break at "
+         "byte 2"},
         {{"supports=[{name: a, where: {box: [[0, 0, 0], [1, 1, 1]]}, velocity: [0, 0, 0]}, {name: a, where: {box: [[0, "
           "0, 0], [1, 1, 1]]}, "
           "velocity: [0, 0, 0]}]"},
