@@ -86,7 +86,7 @@ void FrameWriter::write_file(const geometry::Mesh& mesh, const IndexedFrame& fra
 
 void FrameWriter::write_whole(const geometry::Mesh& mesh, const IndexedFrame& frame,
                               const std::filesystem::path& file) const {
-    if (!gathers(vtkhdf_bytes(frame))) {
+    if (vtkhdf_bytes(frame) >= gather_below_) {
         write_vtkhdf(*comm_, file, mesh, frame);
         return;
     }

@@ -35,9 +35,6 @@ public:
     /// Background). Nothing else may be asked of this writer meanwhile, on any rank. Throws FileError.
     FrameRecord write_alone(const geometry::Mesh& mesh, std::int64_t step, double time);
 
-    /// Whether a frame of so many bytes is small enough to be gathered.
-    [[nodiscard]] bool gathers(std::int64_t bytes) const { return bytes < gather_below_; }
-
     /// Brings NAME.xdmf and NAME.hdf.series up to date with the last frame. While frames follow each other quickly write() does
     /// so once a second only, because the index lists all frames and is written whole. Collective.
     void finish_index();

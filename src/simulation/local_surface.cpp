@@ -6,16 +6,11 @@
 #include "topology/orbits.hpp"
 
 namespace cracksim::simulation {
-namespace {
 
 using topology::Cell;
 
-std::int64_t face_key(LocalEntity e, int face) { return std::int64_t{e.value()} * Cell::faces + face; }
-
-}  // namespace
-
 LocalSurface::LocalSurface(const topology::GMap& map, std::span<const std::uint8_t> owned)
-    : owned_{owned}, met_{owned.size()} {
+    : owned_{owned}, last_face_(owned.size(), -1), met_{owned.size()} {
     CRACKSIM_EXPECT(static_cast<std::int32_t>(owned.size()) == map.entity_count());
     for (LocalEntity e{0}; e.value() < map.entity_count(); ++e) {
         for (int f = 0; owned[e.index()] != 0 && f < Cell::faces; ++f) {
@@ -27,19 +22,27 @@ LocalSurface::LocalSurface(const topology::GMap& map, std::span<const std::uint8
     ++updates_;
 }
 
-LocalSurface::Face& LocalSurface::listed(LocalEntity entity, int face) {
-    const auto [found, is_new] =
-        place_of_face_.try_emplace(face_key(entity, face), static_cast<std::int32_t>(faces_.size()));
-    if (is_new) {
-        faces_.push_back({entity, static_cast<std::int8_t>(face), 0, -1});
+std::int32_t LocalSurface::place_of(LocalEntity entity, int face) const {
+    std::int32_t place = last_face_[entity];
+    while (place >= 0 && faces_[static_cast<std::size_t>(place)].face != face) {
+        place = faces_[static_cast<std::size_t>(place)].next;
     }
-    return faces_[static_cast<std::size_t>(found->second)];
+    return place;
+}
+
+std::int32_t LocalSurface::list(LocalEntity entity, int face) {
+    const auto place = static_cast<std::int32_t>(faces_.size());
+    faces_.push_back({entity, static_cast<std::int8_t>(face), 0, last_face_[entity], -1});
+    last_face_[entity] = place;
+    return place;
 }
 
 LocalSurface::Face& LocalSurface::touch(LocalEntity entity, int face) {
-    Face& touched = listed(entity, face);
+    const std::int32_t found = place_of(entity, face);
+    const std::int32_t place = found >= 0 ? found : list(entity, face);
+    Face& touched = faces_[static_cast<std::size_t>(place)];
     if (std::exchange(touched.listed_in, updates_) != updates_) {
-        changed_.push_back(static_cast<std::int32_t>(&touched - faces_.data()));
+        changed_.push_back(place);
     }
     return touched;
 }
@@ -76,12 +79,13 @@ void LocalSurface::touch_around(const topology::GMap& map, LocalMass corner) {
 }
 
 double LocalSurface::opened_at(LocalEntity entity, int face) const {
-    const auto found = place_of_face_.find(face_key(entity, face));
-    return found == place_of_face_.end() ? -1.0 : faces_[static_cast<std::size_t>(found->second)].opened_at;
+    const std::int32_t place = place_of(entity, face);
+    return place < 0 ? -1.0 : faces_[static_cast<std::size_t>(place)].opened_at;
 }
 
 std::size_t LocalSurface::memory_bytes() const {
-    return faces_.capacity() * sizeof(Face) + changed_.capacity() * sizeof(std::int32_t) + met_.bytes();
+    return faces_.capacity() * sizeof(Face) + changed_.capacity() * sizeof(std::int32_t) + last_face_.bytes() +
+           met_.bytes();
 }
 
 }  // namespace cracksim::simulation

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
+#include "core/id_array.hpp"
 #include "core/ids.hpp"
 #include "simulation/mass_marks.hpp"
 #include "topology/gmap.hpp"
@@ -20,6 +20,7 @@ public:
         LocalEntity entity;
         std::int8_t face;
         std::int32_t listed_in;  ///< the update that last changed it
+        std::int32_t next;       ///< the place of another face of the entity; -1: none
         double opened_at;        ///< s; -1 on the original boundary
     };
 
@@ -41,13 +42,15 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
-    Face& listed(LocalEntity entity, int face);
+    /// The place of a face; -1 if it is not listed.
+    [[nodiscard]] std::int32_t place_of(LocalEntity entity, int face) const;
+    std::int32_t list(LocalEntity entity, int face);
     Face& touch(LocalEntity entity, int face);
     void touch_around(const topology::GMap& map, LocalMass corner);
 
     std::span<const std::uint8_t> owned_;
     std::vector<Face> faces_;
-    std::unordered_map<std::int64_t, std::int32_t> place_of_face_;
+    IdArray<LocalEntity, std::int32_t> last_face_;  ///< of the entity: a place; -1: none
     std::vector<std::int32_t> changed_;
     std::int32_t updates_{1};
     MassMarks met_;  ///< by the update that goes on

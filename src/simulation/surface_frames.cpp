@@ -73,11 +73,13 @@ SurfaceFrames::SurfaceFrames(const partition::Communicator& comm, const Dynamics
       whole_{dynamics.network().block(), static_cast<std::size_t>(comm.size())} {}
 
 // By the bytes that faces with all their corners for points would take: more than any surface does.
-bool SurfaceFrames::fits(const Coat& coat) const {
+bool SurfaceFrames::fit(std::int64_t faces) {
     constexpr std::int64_t bytes_a_face = 4 * sizeof(Vec3) + 9 * sizeof(std::int64_t) + 1;
-    const std::int64_t faces = comm_->sum(static_cast<std::int64_t>(coat.surface().faces().size()));
-    const io::FrameWriter* writer = surface_writer_ != nullptr ? surface_writer_ : crack_writer_;
-    return writer != nullptr && writer->gathers(faces * bytes_a_face);
+    return faces * bytes_a_face < io::FrameWriter::default_gather_below;
+}
+
+bool SurfaceFrames::fits(const Coat& coat) const {
+    return fit(comm_->sum(static_cast<std::int64_t>(coat.surface().faces().size())));
 }
 
 void SurfaceFrames::write(const Dynamics& dynamics, const Coat& coat) {

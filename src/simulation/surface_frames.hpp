@@ -46,7 +46,9 @@ public:
     SurfaceFrames(const partition::Communicator& comm, const Dynamics& dynamics, io::Background& background,
                   io::FrameWriter* surface, io::FrameWriter* crack);
 
-    /// Whether the next frame is small enough; once false, false for ever. Collective.
+    /// Whether the frames of so many free faces are small enough.
+    [[nodiscard]] static bool fit(std::int64_t faces);
+    /// Whether the next frame is; once false, false for ever. Collective.
     [[nodiscard]] bool fits(const Coat& coat) const;
     /// Collective.
     void write(const Dynamics& dynamics, const Coat& coat);
