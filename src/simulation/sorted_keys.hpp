@@ -23,22 +23,30 @@ std::vector<std::int32_t> merge(std::vector<Key>& keys, const std::vector<Key>& 
         }
         moved[i] = static_cast<std::int32_t>(i + next);
     }
-    std::vector<Key> all(keys.size() + added.size());
-    std::ranges::merge(keys, added, all.begin());
-    keys = std::move(all);
+    const auto old = static_cast<std::ptrdiff_t>(keys.size());
+    keys.insert(keys.end(), added.begin(), added.end());
+    std::inplace_merge(keys.begin(), keys.begin() + old, keys.end());
     return moved;
 }
 
-/// Values follow their keys; those of new keys are still to be set.
+/// Values follow their keys; those of new keys are still to be set. From the end, so that none is overwritten.
 template <class T>
 void spread(std::vector<T>& values, const std::vector<std::int32_t>& moved, std::size_t size, std::size_t columns) {
-    std::vector<T> all(size * columns);
-    for (std::size_t i = 0; i < moved.size(); ++i) {
-        const auto from = values.begin() + static_cast<std::ptrdiff_t>(i * columns);
-        std::copy_n(from, columns,
-                    all.begin() + static_cast<std::ptrdiff_t>(moved[i]) * static_cast<std::ptrdiff_t>(columns));
+    values.resize(size * columns);
+    for (std::size_t i = moved.size(); i > 0 && static_cast<std::size_t>(moved[i - 1]) != i - 1; --i) {
+        const auto from = values.begin() + static_cast<std::ptrdiff_t>((i - 1) * columns);
+        const auto to =
+            values.begin() + static_cast<std::ptrdiff_t>(moved[i - 1]) * static_cast<std::ptrdiff_t>(columns);
+        std::copy_backward(from, from + static_cast<std::ptrdiff_t>(columns),
+                           to + static_cast<std::ptrdiff_t>(columns));
     }
-    values = std::move(all);
+}
+
+/// Places follow what they name; negative ones name nothing.
+inline void rename(std::vector<std::int32_t>& places, const std::vector<std::int32_t>& moved) {
+    for (std::int32_t& place : places) {
+        place = place < 0 ? place : moved[static_cast<std::size_t>(place)];
+    }
 }
 
 template <class Key>

@@ -6,8 +6,6 @@
 #include <variant>
 
 #include "core/contracts.hpp"
-#include "geometry/embedding.hpp"
-#include "geometry/measures.hpp"
 #include "simulation/sorted_keys.hpp"
 
 namespace cracksim::simulation {
@@ -61,8 +59,7 @@ void WholeSurface::add_points(std::span<const SurfaceNews> news) {
             point = moved[static_cast<std::size_t>(point)];
         }
         for (Order& order : orders_) {
-            std::ranges::transform(order.point, order.point.begin(),
-                                   [&](std::int32_t p) { return moved[static_cast<std::size_t>(p)]; });
+            rename(order.point, moved);
         }
     }
     for (std::size_t r = 0; r < news.size(); ++r) {
@@ -81,22 +78,32 @@ void WholeSurface::add_faces(std::span<const SurfaceNews> news) {
     }
     crack_is_old_ = crack_is_old_ || !added.empty();
     keep_new(added, face_keys_);
-    const Places moved = merge(face_keys_, added);
-    spread(surface_.connectivity, moved, face_keys_.size(), corners);
-    spread(integers(entity), moved, face_keys_.size(), 1);
-    spread(integers(fragment), moved, face_keys_.size(), 1);
-    spread(reals(opened_at), moved, face_keys_.size(), 1);
-    reals(opening).assign(face_keys_.size(), 0.0);
+    make_room(merge(face_keys_, added));
     for (std::size_t r = 0; r < news.size(); ++r) {
-        Places& order = orders_[r].face;
-        std::ranges::transform(order, order.begin(),
-                               [&](std::int32_t f) { return moved[static_cast<std::size_t>(f)]; });
         for (const SurfaceNews::Face& face : news[r].changed_faces) {
             if (std::ranges::binary_search(added, face.key)) {
-                order.push_back(place_in(face_keys_, face.key));
+                orders_[r].face.push_back(place_in(face_keys_, face.key));
+                set_met(face);
             }
             set_face(face);
         }
+    }
+}
+
+void WholeSurface::make_room(const Places& moved) {
+    const std::size_t size = face_keys_.size();
+    if (size == moved.size()) {
+        return;
+    }
+    spread(surface_.connectivity, moved, size, corners);
+    spread(integers(entity), moved, size, 1);
+    spread(integers(fragment), moved, size, 1);
+    spread(reals(opened_at), moved, size, 1);
+    reals(opening).assign(size, 0.0);
+    rename(met_, moved);
+    spread(met_, moved, size, 1);
+    for (Order& order : orders_) {
+        rename(order.face, moved);
     }
 }
 
@@ -107,6 +114,13 @@ void WholeSurface::set_face(const SurfaceNews::Face& face) {
     for (std::size_t k = 0; k < corners; ++k) {
         surface_.connectivity[place * corners + k] = place_in(point_keys_, face.points[k]);
     }
+}
+
+void WholeSurface::set_met(const SurfaceNews::Face& face) {
+    const auto other =
+        block_.neighbour(EntityId{face.key / Hexahedron::faces}, static_cast<int>(face.key % Hexahedron::faces));
+    met_[place_of(face.key)] =
+        other ? place_in(face_keys_, other->entity.value() * Hexahedron::faces + other->face) : -1;
 }
 
 std::size_t WholeSurface::place_of(std::int64_t face_key) const {
@@ -135,15 +149,9 @@ void WholeSurface::find_crack() {
         return;
     }
     crack_faces_.clear();
-    met_face_.clear();
-    met_rotation_.clear();
-    for (std::size_t f = 0; f < face_keys_.size(); ++f) {
-        const int face = static_cast<int>(face_keys_[f] % Hexahedron::faces);
-        const auto other = block_.neighbour(EntityId{face_keys_[f] / Hexahedron::faces}, face);
-        if (other) {
+    for (std::size_t f = 0; f < met_.size(); ++f) {
+        if (met_[f] >= 0) {
             crack_faces_.push_back(static_cast<std::int32_t>(f));
-            met_face_.push_back(place_in(face_keys_, other->entity.value() * Hexahedron::faces + other->face));
-            met_rotation_.push_back(static_cast<std::int8_t>(other->rotation));
         }
     }
     number_crack_points();
@@ -174,20 +182,34 @@ void WholeSurface::number_crack_points() {
 
 void WholeSurface::measure_openings() {
     find_crack();
-    const auto embedded = [&](std::int32_t face, const auto& corner) {
-        geometry::Quadrilateral at;
-        for (std::size_t k = 0; k < corners; ++k) {
-            const auto point = surface_.connectivity[static_cast<std::size_t>(face) * corners + corner(k)];
-            at[k] = surface_.points[static_cast<std::size_t>(point)];
+    for (const std::int32_t face : crack_faces_) {
+        if (const std::int32_t other = met_[static_cast<std::size_t>(face)]; face < other) {
+            measure_interface(face, other);
         }
-        return at;
-    };
-    for (std::size_t i = 0; i < crack_faces_.size(); ++i) {
-        const auto rotation = static_cast<std::size_t>(met_rotation_[i]);
-        reals(opening)[static_cast<std::size_t>(crack_faces_[i])] = geometry::opening(
-            embedded(crack_faces_[i], [](std::size_t k) { return k; }),
-            embedded(met_face_[i], [&](std::size_t k) { return (rotation + corners - k) % corners; }));
     }
+}
+
+// Distances are the same from both sides, but each side adds them up in its own order.
+void WholeSurface::measure_interface(std::int32_t face, std::int32_t other) {
+    const std::int64_t key = face_keys_[static_cast<std::size_t>(face)];
+    const auto link = block_.neighbour(EntityId{key / Hexahedron::faces}, static_cast<int>(key % Hexahedron::faces));
+    const auto met = [&](std::size_t k) { return (static_cast<std::size_t>(link->rotation) + corners - k) % corners; };
+    const auto point = [&](std::int32_t of, std::size_t k) {
+        return surface_
+            .points[static_cast<std::size_t>(surface_.connectivity[static_cast<std::size_t>(of) * corners + k])];
+    };
+    std::array<double, corners> distance{};
+    double from_here = 0;
+    double from_there = 0;
+    for (std::size_t k = 0; k < corners; ++k) {
+        distance[k] = norm(point(other, met(k)) - point(face, k));
+        from_here += distance[k];
+    }
+    for (std::size_t k = 0; k < corners; ++k) {
+        from_there += distance[met(k)];
+    }
+    reals(opening)[static_cast<std::size_t>(face)] = 0.25 * from_here;
+    reals(opening)[static_cast<std::size_t>(other)] = 0.25 * from_there;
 }
 
 const geometry::Mesh& WholeSurface::crack() {

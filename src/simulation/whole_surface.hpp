@@ -35,12 +35,15 @@ private:
 
     void add_points(std::span<const SurfaceNews> news);
     void add_faces(std::span<const SurfaceNews> news);
+    void make_room(const Places& moved);
     void set_face(const SurfaceNews::Face& face);
+    void set_met(const SurfaceNews::Face& face);
     void find_crack();
     void number_crack_points();
     void move(std::span<const SurfaceNews> news);
     void name_fragments(std::span<const SurfaceNews> news);
     void measure_openings();
+    void measure_interface(std::int32_t face, std::int32_t other);
     [[nodiscard]] std::size_t place_of(std::int64_t face_key) const;
     [[nodiscard]] std::vector<double>& reals(std::size_t field);
     [[nodiscard]] std::vector<std::int64_t>& integers(std::size_t field);
@@ -53,9 +56,7 @@ private:
     bool crack_is_old_{true};
     Places crack_faces_;
     Places crack_points_;
-    /// The other side of each crack face, and which of its corners meets corner 0.
-    Places met_face_;
-    std::vector<std::int8_t> met_rotation_;
+    Places met_;  ///< by face: the other side of a crack face; -1 on the original boundary
     geometry::Mesh crack_;
 };
 

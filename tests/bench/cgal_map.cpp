@@ -20,16 +20,17 @@ void CgalMap::unsew(const std::vector<std::int64_t>& faces) {
     }
 }
 
+// The basic iterators mark what they meet, so that no orbit is walked twice.
 template <class Walk>
-std::int64_t CgalMap::walk(const Walk& for_each_dart_of) {
+std::int64_t CgalMap::walk(const Walk& darts_of_orbit) {
     const auto met = map_.get_new_mark();
     std::int64_t sum = 0;
     for (auto dart = map_.darts().begin(); dart != map_.darts().end(); ++dart) {
         if (!map_.is_marked(dart, met)) {
-            for_each_dart_of(dart, [&](auto other) {
-                map_.mark(other, met);
-                sum += map_.info(other);
-            });
+            auto orbit = darts_of_orbit(dart, met);
+            for (auto at = orbit.begin(); at != orbit.end(); ++at) {
+                sum += map_.info(at);
+            }
         }
     }
     map_.free_mark(met);
@@ -37,21 +38,11 @@ std::int64_t CgalMap::walk(const Walk& for_each_dart_of) {
 }
 
 std::int64_t CgalMap::walk_corners() {
-    return walk([&](auto dart, const auto& action) {
-        auto range = map_.darts_of_orbit<1, 2>(dart);
-        for (auto at = range.begin(); at != range.end(); ++at) {
-            action(at);
-        }
-    });
+    return walk([&](auto dart, auto met) { return map_.darts_of_orbit_basic<1, 2>(dart, met); });
 }
 
 std::int64_t CgalMap::walk_vertices() {
-    return walk([&](auto dart, const auto& action) {
-        auto range = map_.darts_of_orbit<1, 2, 3>(dart);
-        for (auto at = range.begin(); at != range.end(); ++at) {
-            action(at);
-        }
-    });
+    return walk([&](auto dart, auto met) { return map_.darts_of_orbit_basic<1, 2, 3>(dart, met); });
 }
 
 std::int64_t CgalMap::count_free_faces() const {

@@ -27,7 +27,7 @@ public:
 
 private:
     template <class Walk>
-    std::int64_t walk(const Walk& for_each_dart_of);
+    std::int64_t walk(const Walk& darts_of_orbit);
 
     Map map_;
     std::vector<Map::Dart_handle> upper_;  ///< by 3 * entity + axis
