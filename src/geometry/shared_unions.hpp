@@ -2,9 +2,8 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <ranges>
 #include <span>
+#include <vector>
 
 #include "core/block.hpp"
 #include "core/id_array.hpp"
@@ -36,12 +35,7 @@ public:
     [[nodiscard]] bool joins(LocalEntity a, LocalEntity b) const;
 
     /// Each mass with the next one of its union: pairs that join what the unions join.
-    [[nodiscard]] auto pairs() const {
-        return std::views::iota(std::int32_t{0}, static_cast<std::int32_t>(next_.size())) |
-               std::views::transform([this](std::int32_t m) {
-                   return std::array{LocalMass{m}, next_[LocalMass{m}]};
-               });
-    }
+    [[nodiscard]] std::vector<std::array<LocalMass, 2>> pairs() const;
 
     [[nodiscard]] std::size_t memory_bytes() const { return next_.bytes(); }
 

@@ -175,6 +175,7 @@ std::vector<geometry::LabelSize> Coat::largest_fragments(std::size_t count) cons
         entities[size.label] += size.entities;
     }
     std::vector<geometry::LabelSize> all;
+    all.reserve(entities.size());
     for (const auto& [label, number] : entities) {
         all.push_back({label, number, static_cast<double>(number) * entity_volume});
     }

@@ -37,8 +37,7 @@ std::vector<Labels::Joint> Labels::joints() const {
         }
     }
     std::ranges::sort(found);
-    const auto repeated = std::ranges::unique(found);
-    found.erase(repeated.begin(), repeated.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 
@@ -48,8 +47,7 @@ void Labels::label_joined(const std::vector<Joint>& all) {
         names.insert(names.end(), {joint.here, joint.there});
     }
     std::ranges::sort(names);
-    const auto repeated = std::ranges::unique(names);
-    names.erase(repeated.begin(), repeated.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
     const auto place = [&](EntityId id) {
         return static_cast<std::size_t>(std::ranges::lower_bound(names, id) - names.begin());
     };

@@ -60,8 +60,7 @@ std::int32_t place_in(const std::vector<Key>& keys, const Key& key) {
 template <class Key>
 void keep_new(std::vector<Key>& keys, const std::vector<Key>& there) {
     std::ranges::sort(keys);
-    const auto repeated = std::ranges::unique(keys);
-    keys.erase(repeated.begin(), repeated.end());
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
     std::erase_if(keys, [&](const Key& key) { return std::ranges::binary_search(there, key); });
 }
 

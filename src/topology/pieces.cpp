@@ -7,8 +7,7 @@ namespace cracksim::topology {
 void Pieces::sort_by_piece(std::vector<LocalEntity>& entities) const {
     std::ranges::sort(
         entities, [&](LocalEntity a, LocalEntity b) { return piece_[a] != piece_[b] ? piece_[a] < piece_[b] : a < b; });
-    const auto repeated = std::ranges::unique(entities);
-    entities.erase(repeated.begin(), repeated.end());
+    entities.erase(std::unique(entities.begin(), entities.end()), entities.end());
 }
 
 std::size_t Pieces::first_piece_length(std::span<const LocalEntity> entities) const {
