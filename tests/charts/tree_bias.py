@@ -39,7 +39,8 @@ def picture(folder, axis, duplets):
     directory = stem.with_suffix(".out")
     subprocess.run([ROOT / "build/release/cracksim", stem.with_suffix(".yaml"), "--out", directory, "--quiet"], check=True)
     subprocess.run(["xvfb-run", "-a", "pvpython", ROOT / "jobs/render.py", directory, "--view", "crack", "--size", "640x560",
-                    "--from=0.8,0.9,0.6", "--title", f"{duplets}, crack normal to {'xyz'[axis]}", "--out", stem.with_suffix(".png")], check=True, stdout=subprocess.DEVNULL)
+                    "--from=0.8,0.9,0.6", "--title", f"{duplets}, crack normal to {'xyz'[axis]}", "--out",
+                    stem.with_suffix(".png")], check=True, stdout=subprocess.DEVNULL)
     area = json.loads((directory / "summary.json").read_text(encoding="utf-8"))["crack_area"] / LENGTH**2
     return stem.with_suffix(".png"), area
 
