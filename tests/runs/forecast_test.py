@@ -46,7 +46,7 @@ def holds_if_nothing_breaks(workplace, quick):
 
 
 def memory_of_the_smallest_blocks_lies_in_its_range(workplace, quick):
-    """There all is libraries; what a process takes differs by some hundred kB from run to run."""
+    """There all is libraries; what they take differs from machine to machine, which the range must hold."""
     for ranks in () if quick else (1, 2, 4):
         for cells in ("[1, 1, 1]", "[4, 4, 2]", "[8, 7, 4]"):
             for end in (INTACT, BROKEN):
