@@ -1,5 +1,6 @@
 # Every library from outside, found once. Which room may link which is said in that room's CMakeLists.txt.
 find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
 find_package(MPI REQUIRED COMPONENTS C CXX)
 find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 find_package(yaml-cpp REQUIRED)

@@ -104,13 +104,21 @@ std::int64_t event_file_bytes(std::int64_t events, std::int64_t parts, std::int6
     return empty_file + 4 * dataset(events) + 5 * dataset(parts) + dataset(masses);
 }
 
-EventWriter::EventWriter(const partition::Communicator& comm, std::filesystem::path file, double dt)
-    : comm_{&comm}, file_{std::move(file)}, dt_{dt} {}
+EventWriter::EventWriter(const partition::Communicator& comm, std::filesystem::path file, double dt,
+                         Background* background)
+    : comm_{&comm}, file_{std::move(file)}, dt_{dt}, background_{background} {}
 
 void EventWriter::append(std::span<const DupletEvent> events, const SplitParts& parts) const {
-    const std::vector<DupletEvent> all_events = comm_->gather(events);
-    const SplitParts all_parts = gather(*comm_, parts);
-    on_root(*comm_, [&] { append_on_root(sorted(all_events), io::sorted(all_parts)); });
+    std::vector<DupletEvent> all_events = comm_->gather(events);
+    SplitParts all_parts = gather(*comm_, parts);
+    const auto write = [this, all_events = std::move(all_events), all_parts = std::move(all_parts)] {
+        append_on_root(sorted(all_events), io::sorted(all_parts));
+    };
+    if (background_ == nullptr) {
+        on_root(*comm_, write);
+    } else if (comm_->is_root()) {
+        background_->post(write);
+    }
 }
 
 void EventWriter::append_on_root(std::span<const DupletEvent> events, const SplitParts& parts) const {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <span>
 
+#include "io/background.hpp"
 #include "io/split_parts.hpp"
 #include "partition/communicator.hpp"
 #include "physics/events.hpp"
@@ -18,8 +19,10 @@ namespace cracksim::io {
 /// The file is opened and closed for each append, so it is whole in between and whoever reads it does no harm.
 class EventWriter {
 public:
-    /// dt: the step, s. The communicator must outlive the writer. Touches no file.
-    EventWriter(const partition::Communicator& comm, std::filesystem::path file, double dt);
+    /// dt: the step, s. With a background, the root writes there, and what fails is told by it. The communicator and the
+    /// background must outlive the writer, and the writer the background's jobs. Touches no file.
+    EventWriter(const partition::Communicator& comm, std::filesystem::path file, double dt,
+                Background* background = nullptr);
 
     /// Adds this rank's new events and parts; all of them must be later than those added before. They are written in order of
     /// (step, mass_a, mass_b) and (step, union, first mass); what several ranks give is written once. The first call makes the file
@@ -32,6 +35,7 @@ private:
     const partition::Communicator* comm_;
     std::filesystem::path file_;
     double dt_;
+    Background* background_;
 };
 
 }  // namespace cracksim::io

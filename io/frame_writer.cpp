@@ -30,16 +30,45 @@ FrameRecord FrameWriter::write(const geometry::Mesh& mesh, std::int64_t step, do
         return {.file = {}, .step = step, .time = time, .faces = 0, .points = 0};
     }
     const std::int64_t points = comm_->sum(static_cast<std::int64_t>(mesh.points.size()));
-    const std::string file = frame_file(name_, frames_.size());
-    const IndexedFrame frame{.record = {.file = file, .step = step, .time = time, .faces = faces, .points = points},
-                             .cells = agreed_layout(*comm_, mesh)};
+    // Only the root knows of frames that it wrote alone.
+    const auto number = static_cast<std::size_t>(comm_->max(static_cast<std::int64_t>(frames_.size())));
+    IndexedFrame frame = next_frame(number, step, time, faces, points);
+    frame.cells = agreed_layout(*comm_, mesh);
     write_file(mesh, frame);
     frames_.push_back(frame);
-    const bool index_is_old = std::chrono::steady_clock::now() - indexed_at_ >= longest_without_index;
-    if (comm_->any(comm_->is_root() && (indexed_frames_ == 0 || index_is_old))) {
+    if (comm_->any(comm_->is_root() && index_is_due())) {
         finish_index();
     }
     return frame.record;
+}
+
+FrameRecord FrameWriter::write_alone(const geometry::Mesh& mesh, std::int64_t step, double time) {
+    const auto points = static_cast<std::int64_t>(mesh.points.size());
+    IndexedFrame frame = next_frame(frames_.size(), step, time, mesh.cells(), points);
+    if (mesh.cells() == 0) {
+        frame.record.file.clear();
+        return frame.record;
+    }
+    frame.cells = layout_of(mesh);
+    const std::filesystem::path file = directory_ / frame.record.file;
+    try {
+        write_vtkhdf(unfinished(file), mesh, frame);
+        finish(file);
+    } catch (const FileError&) {
+        remove_unfinished(file);
+        throw;
+    }
+    frames_.push_back(frame);
+    if (index_is_due()) {
+        write_index();
+    }
+    return frame.record;
+}
+
+IndexedFrame FrameWriter::next_frame(std::size_t number, std::int64_t step, double time, std::int64_t faces,
+                                     std::int64_t points) const {
+    return {.record = {.file = frame_file(name_, number), .step = step, .time = time, .faces = faces, .points = points},
+            .cells = {}};
 }
 
 void FrameWriter::write_file(const geometry::Mesh& mesh, const IndexedFrame& frame) const {
@@ -62,17 +91,23 @@ void FrameWriter::write_whole(const geometry::Mesh& mesh, const IndexedFrame& fr
         return;
     }
     const geometry::Mesh whole = gathered(*comm_, mesh, frame.cells);
-    on_root(*comm_, [&] { write_vtkhdf(partition::Communicator{MPI_COMM_SELF}, file, whole, frame); });
+    on_root(*comm_, [&] { write_vtkhdf(file, whole, frame); });
 }
 
 void FrameWriter::finish_index() {
+    on_root(*comm_, [&] { write_index(); });
+}
+
+bool FrameWriter::index_is_due() const {
+    return indexed_frames_ == 0 || std::chrono::steady_clock::now() - indexed_at_ >= longest_without_index;
+}
+
+void FrameWriter::write_index() {
     if (indexed_frames_ == frames_.size()) {
         return;
     }
-    on_root(*comm_, [&] {
-        write_text(directory_ / (name_ + ".xdmf"), xdmf_text(name_, frames_));
-        write_text(directory_ / (name_ + ".hdf.series"), series_text(frames_));
-    });
+    write_text(directory_ / (name_ + ".xdmf"), xdmf_text(name_, frames_));
+    write_text(directory_ / (name_ + ".hdf.series"), series_text(frames_));
     indexed_frames_ = frames_.size();
     indexed_at_ = std::chrono::steady_clock::now();
 }

@@ -31,15 +31,23 @@ public:
     /// it): the record is then not written(). Throws FileError on all ranks alike. Collective.
     FrameRecord write(const geometry::Mesh& mesh, std::int64_t step, double time);
 
+    /// Writes a frame that the root holds whole; on the root alone, without communication, so it may run beside the run (see
+    /// Background). Nothing else may be asked of this writer meanwhile, on any rank. Throws FileError.
+    FrameRecord write_alone(const geometry::Mesh& mesh, std::int64_t step, double time);
+
     /// Brings NAME.xdmf and NAME.hdf.series up to date with the last frame. While frames follow each other quickly write() does
     /// so once a second only, because the index lists all frames and is written whole. Collective.
     void finish_index();
 
     [[nodiscard]] const std::string& name() const { return name_; }
-    /// All frames so far, on every rank.
+    /// All frames so far; those of write_alone() on the root only.
     [[nodiscard]] FrameSeries series() const;
 
 private:
+    [[nodiscard]] IndexedFrame next_frame(std::size_t number, std::int64_t step, double time, std::int64_t faces,
+                                          std::int64_t points) const;
+    [[nodiscard]] bool index_is_due() const;
+    void write_index();
     void write_file(const geometry::Mesh& mesh, const IndexedFrame& frame) const;
     void write_whole(const geometry::Mesh& mesh, const IndexedFrame& frame, const std::filesystem::path& file) const;
 

@@ -70,6 +70,14 @@ CellLayout agreed_layout(const partition::Communicator& comm, const Mesh& mesh) 
     return parse(agreed);
 }
 
+CellLayout layout_of(const Mesh& mesh) {
+    CellLayout layout{.kind = mesh.kind, .fields = {}};
+    for (const CellField& field : mesh.fields) {
+        layout.fields.push_back({field.name, is_integer(field)});
+    }
+    return layout;
+}
+
 geometry::Mesh gathered(const partition::Communicator& comm, const Mesh& mesh, const CellLayout& layout) {
     Mesh whole{.kind = layout.kind,
                .points = comm.gather(std::span{mesh.points}),

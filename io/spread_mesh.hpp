@@ -10,6 +10,9 @@ namespace cracksim::io {
 /// Throws FileError on all ranks if another rank with cells has others, or a field has not one value a cell. Collective.
 [[nodiscard]] CellLayout agreed_layout(const partition::Communicator& comm, const geometry::Mesh& mesh);
 
+/// The cells' kind and fields of a mesh.
+[[nodiscard]] CellLayout layout_of(const geometry::Mesh& mesh);
+
 /// The whole mesh on the root, an empty one elsewhere. Collective.
 [[nodiscard]] geometry::Mesh gathered(const partition::Communicator& comm, const geometry::Mesh& mesh,
                                       const CellLayout& layout);

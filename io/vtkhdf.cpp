@@ -121,6 +121,15 @@ void write_fields(Datasets& datasets, const Mesh& mesh, const std::vector<FieldI
     }
 }
 
+Datasets write_datasets(hdf5::File& file, const Mesh& mesh, const IndexedFrame& frame, Begin begin, bool is_root) {
+    Datasets datasets{file, is_root};
+    write_sizes(datasets, frame.record, frame.cells.corners());
+    datasets.write(root + "/Points", begin.point, std::span{mesh.points});
+    write_cells(datasets, mesh, begin.cell, is_root);
+    write_fields(datasets, mesh, frame.cells.fields, begin.cell);
+    return datasets;
+}
+
 }  // namespace
 
 std::int64_t vtkhdf_bytes(const IndexedFrame& frame) {
@@ -129,21 +138,28 @@ std::int64_t vtkhdf_bytes(const IndexedFrame& frame) {
     return headers + 24 * frame.record.points + frame.record.faces * (8 * values_a_cell + 1);
 }
 
+void write_vtkhdf(const std::filesystem::path& file, const Mesh& mesh, const IndexedFrame& frame) {
+    hdf5::File open{file, hdf5::Access::create};
+    create_datasets(open, frame);
+    reserve_space(file, vtkhdf_bytes(frame));
+    write_datasets(open, mesh, frame, {0, 0}, true).throw_first_failure();
+    open.close();
+}
+
 void write_vtkhdf(const partition::Communicator& comm, const std::filesystem::path& file, const Mesh& mesh,
                   const IndexedFrame& frame) {
+    if (comm.size() == 1) {
+        write_vtkhdf(file, mesh, frame);
+        return;
+    }
     const Begin begin{comm.sum_below(static_cast<std::int64_t>(mesh.points.size())), comm.sum_below(mesh.cells())};
     std::optional<hdf5::File> open;
     all_or_none(comm, [&] {
-        comm.size() == 1 ? open.emplace(file, hdf5::Access::create)
-                         : open.emplace(file, hdf5::Access::create, comm.handle());
+        open.emplace(file, hdf5::Access::create, comm.handle());
         create_datasets(*open, frame);
     });
     on_root(comm, [&] { reserve_space(file, vtkhdf_bytes(frame)); });
-    Datasets datasets{*open, comm.is_root()};
-    write_sizes(datasets, frame.record, frame.cells.corners());
-    datasets.write(root + "/Points", begin.point, std::span{mesh.points});
-    write_cells(datasets, mesh, begin.cell, comm.is_root());
-    write_fields(datasets, mesh, frame.cells.fields, begin.cell);
+    const Datasets datasets = write_datasets(*open, mesh, frame, begin, comm.is_root());
     all_or_none(comm, [&] { datasets.throw_first_failure(); });
     all_or_none(comm, [&] { open->close(); });
 }

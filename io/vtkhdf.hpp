@@ -16,5 +16,7 @@ namespace cracksim::io {
 /// Writes a mesh with at least one cell as a static VTKHDF 1.0 UnstructuredGrid. Throws FileError on all ranks alike. Collective.
 void write_vtkhdf(const partition::Communicator& comm, const std::filesystem::path& file, const geometry::Mesh& mesh,
                   const IndexedFrame& frame);
+/// The same of a mesh that this process holds whole, without communication.
+void write_vtkhdf(const std::filesystem::path& file, const geometry::Mesh& mesh, const IndexedFrame& frame);
 
 }  // namespace cracksim::io

@@ -44,6 +44,9 @@ Communicator::Communicator(MPI_Comm comm) : comm_{comm}, size_{0} {
 std::int64_t Communicator::sum(std::int64_t value) const { return reduce(comm_, value, MPI_INT64_T, MPI_SUM); }
 std::uint64_t Communicator::sum(std::uint64_t value) const { return reduce(comm_, value, MPI_UINT64_T, MPI_SUM); }
 double Communicator::sum(double value) const { return reduce(comm_, value, MPI_DOUBLE, MPI_SUM); }
+void Communicator::sum(std::span<std::int64_t> values) const {
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), as_count(values.size()), MPI_INT64_T, MPI_SUM, comm_);
+}
 std::int64_t Communicator::min(std::int64_t value) const { return reduce(comm_, value, MPI_INT64_T, MPI_MIN); }
 std::int64_t Communicator::max(std::int64_t value) const { return reduce(comm_, value, MPI_INT64_T, MPI_MAX); }
 double Communicator::min(double value) const { return reduce(comm_, value, MPI_DOUBLE, MPI_MIN); }
@@ -100,6 +103,16 @@ std::vector<std::byte> Communicator::gather_bytes(std::span<const std::byte> byt
     const std::vector<int> offsets = offsets_of(counts);
     std::vector<std::byte> all(static_cast<std::size_t>(offsets.back()) + static_cast<std::size_t>(counts.back()));
     MPI_Gatherv(bytes.data(), count, MPI_BYTE, all.data(), counts.data(), offsets.data(), MPI_BYTE, 0, comm_);
+    return all;
+}
+
+std::vector<std::byte> Communicator::gather_bytes_on_all(std::span<const std::byte> bytes) const {
+    const int count = as_count(bytes.size());
+    std::vector<int> counts(static_cast<std::size_t>(size_));
+    MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
+    const std::vector<int> offsets = offsets_of(counts);
+    std::vector<std::byte> all(static_cast<std::size_t>(offsets.back()) + static_cast<std::size_t>(counts.back()));
+    MPI_Allgatherv(bytes.data(), count, MPI_BYTE, all.data(), counts.data(), offsets.data(), MPI_BYTE, comm_);
     return all;
 }
 

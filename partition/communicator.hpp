@@ -27,6 +27,8 @@ public:
     [[nodiscard]] std::int64_t sum(std::int64_t value) const;
     [[nodiscard]] std::uint64_t sum(std::uint64_t value) const;  ///< modulo 2^64
     [[nodiscard]] double sum(double value) const;                ///< for reports only: its bits depend on the ranks
+    /// Each place by itself, in place.
+    void sum(std::span<std::int64_t> values) const;
     [[nodiscard]] std::int64_t min(std::int64_t value) const;
     [[nodiscard]] std::int64_t max(std::int64_t value) const;
     [[nodiscard]] double min(double value) const;
@@ -48,6 +50,14 @@ public:
     [[nodiscard]] std::vector<T> gather(std::span<const T> values) const {
         static_assert(std::is_trivially_copyable_v<T>);
         const std::vector<std::byte> all = gather_bytes(std::as_bytes(values));
+        return from_bytes<T>(all);
+    }
+
+    /// The same on every rank.
+    template <class T>
+    [[nodiscard]] std::vector<T> gather_on_all(std::span<const T> values) const {
+        static_assert(std::is_trivially_copyable_v<T>);
+        const std::vector<std::byte> all = gather_bytes_on_all(std::as_bytes(values));
         return from_bytes<T>(all);
     }
 
@@ -76,6 +86,7 @@ private:
     }
     static void copy_bytes(std::span<const std::byte> from, void* to);
     [[nodiscard]] std::vector<std::byte> gather_bytes(std::span<const std::byte> bytes) const;
+    [[nodiscard]] std::vector<std::byte> gather_bytes_on_all(std::span<const std::byte> bytes) const;
     [[nodiscard]] std::vector<std::vector<std::byte>> exchange_bytes(
         std::span<const std::span<const std::byte>> outgoing) const;
 

@@ -1,5 +1,8 @@
 #include "partition/halo.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "core/contracts.hpp"
 
 namespace cracksim::partition {
@@ -34,6 +37,39 @@ std::vector<LocalEntity> all_local(const Decomposition& decomposition, std::span
 Halo::Halo(const Communicator& comm, const Decomposition& decomposition)
     : plan_{plan_of(comm, decomposition)},
       sent_{all_local(decomposition, plan_.sent())},
-      received_{all_local(decomposition, plan_.received())} {}
+      received_{all_local(decomposition, plan_.received())} {
+    find_holders(comm, decomposition);
+}
+
+void Halo::find_holders(const Communicator& comm, const Decomposition& decomposition) {
+    std::vector<std::vector<EntityId>> held(static_cast<std::size_t>(comm.size()));
+    for (const LocalEntity e : received_) {
+        held[decomposition.owner[e].index()].push_back(decomposition.entities[e]);
+    }
+    std::vector<std::pair<EntityId, Rank>> by_entity;
+    Rank holder{0};
+    for (const auto& entities : comm.exchange(held)) {
+        for (const EntityId e : entities) {
+            by_entity.emplace_back(e, holder);
+        }
+        ++holder;
+    }
+    std::ranges::sort(by_entity);
+    for (const auto& [entity, rank] : by_entity) {
+        const bool is_next = holders_.empty() || decomposition.entities[sent_[holders_end_.size() - 1]] != entity;
+        holders_.push_back(rank);
+        is_next ? holders_end_.push_back(holders_.size()) : static_cast<void>(holders_end_.back() = holders_.size());
+    }
+}
+
+std::span<const Rank> Halo::holders(LocalEntity owned) const {
+    const auto at = std::ranges::lower_bound(sent_, owned);
+    if (at == sent_.end() || *at != owned) {
+        return {};
+    }
+    const auto place = static_cast<std::size_t>(at - sent_.begin());
+    const std::size_t begin = place == 0 ? 0 : holders_end_[place - 1];
+    return std::span{holders_}.subspan(begin, holders_end_[place] - begin);
+}
 
 }  // namespace cracksim::partition

@@ -31,13 +31,22 @@ public:
         }
     }
 
+    /// Owned entities that other ranks hold as halo.
+    [[nodiscard]] std::span<const LocalEntity> sent() const { return sent_; }
     [[nodiscard]] std::span<const LocalEntity> received() const { return received_; }
     [[nodiscard]] const ExchangePlan& plan() const { return plan_; }
 
+    /// The ranks that hold an owned entity as halo, ascending.
+    [[nodiscard]] std::span<const Rank> holders(LocalEntity owned) const;
+
 private:
+    void find_holders(const Communicator& comm, const Decomposition& decomposition);
+
     ExchangePlan plan_;
     std::vector<LocalEntity> sent_;
     std::vector<LocalEntity> received_;
+    std::vector<Rank> holders_;
+    std::vector<std::size_t> holders_end_;  ///< by place in sent_
 };
 
 }  // namespace cracksim::partition

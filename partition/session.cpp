@@ -13,7 +13,12 @@ namespace cracksim::partition {
 Session::Session(int argc, char** argv) {
     // A file that grows beyond a limit is then an error of that file, which is told, and not the end of the process.
     std::signal(SIGXFSZ, SIG_IGN);
-    MPI_Init(&argc, &argv);
+    // Files may be written by a second thread, which never communicates.
+    int provided = MPI_THREAD_SINGLE;
+    MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
+    if (provided < MPI_THREAD_FUNNELED) {
+        throw std::runtime_error{"this MPI library allows no thread beside the one that communicates"};
+    }
     // PETSc's own handlers would answer signals and MPI errors with pages of text on every rank.
     if (PetscInitializeNoArguments() != 0) {
         throw std::runtime_error{"PETSc could not be started"};

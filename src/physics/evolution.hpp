@@ -1,18 +1,24 @@
 #pragma once
 
-#include "core/block.hpp"
-#include "core/id_array.hpp"
 #include "core/ids.hpp"
 #include "core/vec3.hpp"
 
 namespace cracksim::physics {
 
-/// The evolution functions (Riffet et al. 2.2) at the current step: where each of this rank's masses is.
-struct Evolution {
-    IdArray<LocalMass, Vec3> rest;          ///< m
-    IdArray<LocalMass, Vec3> displacement;  ///< u, m
+/// The evolution functions (Riffet et al. 2.2) at the current step: where each of this rank's masses is. Asked mass by
+/// mass, so that only what is drawn is looked up.
+class Evolution {
+public:
+    virtual ~Evolution() = default;
 
-    [[nodiscard]] Vec3 position(LocalMass mass) const { return rest[mass] + displacement[mass]; }
+    [[nodiscard]] virtual Vec3 rest(LocalMass mass) const = 0;          ///< m
+    [[nodiscard]] virtual Vec3 displacement(LocalMass mass) const = 0;  ///< u, m
+    [[nodiscard]] Vec3 position(LocalMass mass) const { return rest(mass) + displacement(mass); }
+
+protected:
+    Evolution() = default;
+    Evolution(const Evolution&) = default;
+    Evolution& operator=(const Evolution&) = default;
 };
 
 }  // namespace cracksim::physics

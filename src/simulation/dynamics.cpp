@@ -107,16 +107,6 @@ void Dynamics::exchange() {
     });
 }
 
-physics::Evolution Dynamics::evolution() const {
-    const auto masses = static_cast<std::size_t>(network_.mass_count());
-    physics::Evolution evolution{IdArray<LocalMass, Vec3>(masses), IdArray<LocalMass, Vec3>(masses)};
-    for (LocalMass m{0}; m.index() < masses; ++m) {
-        evolution.rest[m] = network_.rest_position(m);
-        evolution.displacement[m] = state_.displacement[state_.unions.slot(m).index()];
-    }
-    return evolution;
-}
-
 physics::SplitStream Dynamics::take_splits() {
     counted_splits_ = 0;
     return std::exchange(new_splits_, {});

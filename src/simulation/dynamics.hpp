@@ -18,6 +18,22 @@
 
 namespace cracksim::simulation {
 
+/// The evolution functions of this rank's masses at the current step.
+class MassEvolution final : public physics::Evolution {
+public:
+    /// Both must outlive this.
+    MassEvolution(const physics::Network& network, const physics::State& state) : network_{network}, state_{state} {}
+
+    [[nodiscard]] Vec3 rest(LocalMass m) const override { return network_.rest_position(m); }
+    [[nodiscard]] Vec3 displacement(LocalMass m) const override {
+        return state_.displacement[state_.unions.slot(m).index()];
+    }
+
+private:
+    const physics::Network& network_;
+    const physics::State& state_;
+};
+
 /// Where physics and partition meet: the network's motion on all ranks, step by step.
 /// A step is  act(); ... ; advance(); exchange();  between act and advance, all is at state n.
 class Dynamics {
@@ -36,7 +52,7 @@ public:
     [[nodiscard]] const physics::Network& network() const { return network_; }
     [[nodiscard]] const physics::State& state() const { return state_; }
     [[nodiscard]] const partition::ExchangePlan& plan() const { return plan_; }
-    [[nodiscard]] physics::Evolution evolution() const;
+    [[nodiscard]] MassEvolution evolution() const { return {network_, state_}; }
 
     /// Splits of this rank's touched unions since the last call.
     [[nodiscard]] physics::SplitStream take_splits();

@@ -7,8 +7,12 @@
 #include "io/frame_writer.hpp"
 #include "physics/network.hpp"
 #include "physics/state.hpp"
+#include "simulation/local_surface.hpp"
 #include "simulation/mesh_assembly.hpp"
+#include "simulation/surface_frames.hpp"
+#include "simulation/surface_news.hpp"
 #include "topology/face_link.hpp"
+#include "topology/pieces.hpp"
 
 namespace cracksim::simulation {
 
@@ -18,15 +22,13 @@ namespace {
 
 /// What libraries take when they are first used (HDF5, messages, code) beside the block.
 constexpr double libraries_in_use = 6e6;
-/// What they take for a while where no block gave them room, over what the process held before: the peak of runs of 1 to 224 entities
-/// on 1, 2 and 4 ranks of two machines, 7.9 to 9.2 MB, and some hundred kB from run to run.
-constexpr Range least_in_use{7'400'000, 9'800'000};
+/// What they take for a while where no block gave them room, with the thread that writes, over what the process held before: the
+/// peak of runs of 1 to 224 entities, 10.0 to 11.2 MB on 1, 2 and 4 ranks; another machine took 0.6 MB less.
+constexpr Range least_in_use{8'900'000, 12'000'000};
 /// Per entity of the whole block, on the root: the graph, and METIS's coarser graphs; the peak of 800,000 entities on 8 ranks.
 constexpr double metis_per_entity = 180;
 /// Per mass that is sent or received: ids, PetscSF's lists and buffers.
 constexpr double exchange_per_mass = 45;
-/// A node of a hash table and its share of the buckets, as the allocator rounds them.
-constexpr double hash_node = 40;
 
 constexpr double duplets = physics::Network::duplets_per_interface;
 
@@ -55,11 +57,15 @@ double state_bytes(const PartLoad& load, physics::Scheme scheme, double opened) 
     return number(load.local) * per_entity + slots * per_slot + number(load.interfaces);
 }
 
-/// Links, masks, two labels an entity, and the times at which faces were opened.
+/// Links, masks, unions by mass, the search for what came off, twice a tree and pieces, and the free faces with what finds them.
 double coat_bytes(const PartLoad& load, double opened) {
-    constexpr double per_entity =
-        Hexahedron::faces * sizeof(topology::FaceLink) + sizeof(std::uint8_t) + 2 * sizeof(EntityId);
-    return number(load.local) * per_entity + 2 * opened * number(load.interfaces) * hash_node;
+    constexpr double search = sizeof(LocalEntity) + sizeof(std::int32_t);
+    constexpr double per_entity = Hexahedron::faces * sizeof(topology::FaceLink) + sizeof(std::uint8_t) +
+                                  Hexahedron::corners * sizeof(LocalMass) + search +
+                                  2 * (sizeof(LocalEntity) + sizeof(topology::Piece)) + sizeof(std::int32_t) +
+                                  sizeof(std::uint8_t);
+    const double free_faces = number(load.boundary_faces) + 2 * opened * number(load.interfaces);
+    return number(load.local) * per_entity + free_faces * (sizeof(LocalSurface::Face) + sizeof(std::int32_t));
 }
 
 double distribution_bytes(const PartLoad& load) {
@@ -114,17 +120,40 @@ double gathering_bytes(const SeriesForecast& series, const RankSetting& setting,
     return gathered ? share + frame + number(series.cells.corners()) * cells * sizeof(std::int64_t) : share;
 }
 
-/// Positions of all masses at rest and their displacements, and the series that takes most.
+bool is_kept(const SeriesForecast& series, double cells) {
+    const bool is_surface = series.name == "surface" || series.name == "crack";
+    return is_surface && SurfaceFrames::fit(std::llround(cells));
+}
+
+/// Of a surface that is kept from frame to frame: points and what is told, as lists and packed; on the root what all have told, in the
+/// same way, and the whole of it with its keys, its order and the part that is the crack.
+double keeping_bytes(const SeriesForecast& series, const RankSetting& setting, double made, double opened) {
+    constexpr double cell_told = sizeof(SurfaceNews::Face) + sizeof(EntityId);
+    constexpr double point_told = sizeof(MassId) + sizeof(Vec3);
+    constexpr double cell_kept = sizeof(std::int64_t) + sizeof(std::int32_t);
+    const double cells = between(series.faces, opened);
+    const double points_a_cell = between(series.points, opened) / std::max(1.0, cells);
+    const double crack = (cells - number(series.faces.intact)) / std::max(1.0, cells);
+    const auto told = [&](double faces) { return 2 * faces * (cell_told + points_a_cell * point_told); };
+    const double here = told(made) + made * points_a_cell * (sizeof(LocalMass) + sizeof(Vec3));
+    const double meshes = (1 + crack) * between(series.frame_bytes, opened);
+    const double whole = told(cells) + meshes + cells * (1 + points_a_cell) * cell_kept;
+    return here + (setting.is_root ? whole : 0);
+}
+
+/// The series that takes most.
 double frame_bytes(const Scene& scene, const PartLoad& load, const RankSetting& setting, double opened) {
     double most = 0;
     for (const SeriesForecast& series : forecast_series(scene)) {
         const double cells = between(series.faces, opened);
         const double frame = between(series.frame_bytes, opened);
         const Share share = share_of(scene, series, load, setting.ranks, opened);
-        most = std::max({most, assembly_bytes(share, number(series.cells.corners())),
-                         gathering_bytes(series, setting, cells, frame)});
+        const double taken = is_kept(series, cells) ? keeping_bytes(series, setting, share.made, opened)
+                                                    : std::max(assembly_bytes(share, number(series.cells.corners())),
+                                                               gathering_bytes(series, setting, cells, frame));
+        most = std::max(most, taken);
     }
-    return masses(load) * 2 * sizeof(Vec3) + most;
+    return most;
 }
 
 /// The events of a coat: as told by the rank, and on the root all of them gathered, sorted, and as columns of the file.

@@ -18,7 +18,7 @@ CellRecord record_of(const Dynamics& dynamics, const Coat& coat, const physics::
                      const geometry::FreeFace& face) {
     CellRecord record{};
     record.key = global_entity(dynamics, face.entity) * Hexahedron::faces + face.face;
-    record.integers = {global_entity(dynamics, face.entity), coat.fragments()[face.entity].value()};
+    record.integers = {global_entity(dynamics, face.entity), coat.fragment(face.entity).value()};
     record.reals = {coat.opened_at(face.entity, face.face),
                     geometry::opening(coat.map(), face, evolution).value_or(0.0)};
     for (std::size_t k = 0; k < face.corners.size(); ++k) {
@@ -77,7 +77,7 @@ geometry::Mesh mass_mesh(const partition::Communicator& comm, const Dynamics& dy
         if (dynamics.network().owned(e)) {
             const std::int64_t id = dynamics.network().mass(m).value();
             points.push_back({id, evolution.position(m)});
-            cells.push_back({id, {id}, {global_entity(dynamics, e), coat.fragments()[e].value()}, {}});
+            cells.push_back({id, {id}, {global_entity(dynamics, e), coat.fragment(e).value()}, {}});
         }
     }
     return assemble(comm, mass_layout(dynamics.network().block()), points, cells);

@@ -53,9 +53,10 @@ io::Summary::Memory memory(const Simulation& simulation) {
     const auto entities = static_cast<double>(simulation.scene().block.entity_count());
     const Dynamics& dynamics = simulation.dynamics();
     const auto model = static_cast<std::int64_t>(dynamics.network().memory_bytes() + dynamics.state().memory_bytes());
+    const auto coat = static_cast<std::int64_t>(simulation.coat().memory_bytes());
     const auto map = static_cast<std::int64_t>(simulation.coat().map().memory_bytes());
     const partition::Communicator& comm = simulation.comm();
-    return {comm.max(io::peak_resident_bytes()), static_cast<double>(comm.sum(model + map)) / entities,
+    return {comm.max(io::peak_resident_bytes()), static_cast<double>(comm.sum(model + coat)) / entities,
             static_cast<double>(comm.sum(map)) / entities};
 }
 

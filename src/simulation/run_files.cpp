@@ -1,7 +1,10 @@
 #include "simulation/run_files.hpp"
 
+#include <algorithm>
+
 #include "core/errors.hpp"
 #include "core/text.hpp"
+#include "io/agreement.hpp"
 #include "simulation/pictures.hpp"
 
 namespace cracksim::simulation {
@@ -28,9 +31,10 @@ io::SplitParts global_parts(const physics::Network& network, const physics::Spli
 }  // namespace
 
 RunFiles::RunFiles(const Simulation& simulation, const io::RunDirectory& directory, Progress& progress)
-    : events_{simulation.comm(), directory.file("events.hdf"), simulation.certified().step},
+    : events_{simulation.comm(), directory.file("events.hdf"), simulation.certified().step, &background_},
       history_{simulation.comm(), directory.file("history.csv")},
-      progress_{&progress} {
+      progress_{&progress},
+      comm_{&simulation.comm()} {
     const auto add = [&](bool wanted, Picture picture, const char* name) {
         if (wanted) {
             series_.push_back({picture, std::make_unique<io::FrameWriter>(simulation.comm(), directory.path(), name)});
@@ -41,33 +45,64 @@ RunFiles::RunFiles(const Simulation& simulation, const io::RunDirectory& directo
     add(output.crack, Picture::crack, "crack");
     add(output.masses, Picture::masses, "masses");
     add(output.topology, Picture::topology, "topology");
+    if (output.surface || output.crack) {
+        surface_frames_.emplace(simulation.comm(), simulation.dynamics(), background_, writer(Picture::surface),
+                                writer(Picture::crack));
+    }
+}
+
+io::FrameWriter* RunFiles::writer(Picture picture) const {
+    const auto found = std::ranges::find(series_, picture, &Series::picture);
+    return found == series_.end() ? nullptr : found->writer.get();
 }
 
 void RunFiles::coat(const Simulation& simulation, const News& news) {
     simulation.stopwatch().time(Phase::output, [&] {
+        io::on_root(*comm_, [&] { background_.check(); });
         events_.append(news.events, global_parts(simulation.dynamics().network(), news.splits));
     });
 }
 
 void RunFiles::frame(const Simulation& simulation) {
-    const Dynamics& dynamics = simulation.dynamics();
-    const physics::Evolution evolution =
-        simulation.stopwatch().time(Phase::geometry, [&] { return dynamics.evolution(); });
-    for (const Series& series : series_) {
-        const auto mesh = simulation.stopwatch().time(Phase::geometry, [&] {
-            const auto& comm = simulation.comm();
-            switch (series.picture) {
-                case Picture::masses: return mass_mesh(comm, dynamics, simulation.coat(), evolution);
-                case Picture::topology: return topology_mesh(comm, dynamics, simulation.coat(), evolution);
-                case Picture::crack:
-                    return surface_mesh(comm, dynamics, simulation.coat(), evolution, Faces::crack_only);
-                case Picture::surface: break;
-            }
-            return surface_mesh(comm, dynamics, simulation.coat(), evolution, Faces::all_free);
-        });
-        simulation.stopwatch().time(
-            Phase::output, [&] { series.writer->write(mesh, dynamics.state().step, dynamics.state().time()); });
+    if (surface_frames_) {
+        write_surface_beside_the_run(simulation);
     }
+    for (const Series& series : series_) {
+        const bool is_surface = series.picture == Picture::surface || series.picture == Picture::crack;
+        if (!is_surface || !surface_frames_) {
+            write_together(simulation, series);
+        }
+    }
+}
+
+void RunFiles::write_surface_beside_the_run(const Simulation& simulation) {
+    simulation.stopwatch().time(Phase::geometry, [&] {
+        if (surface_frames_->fits(simulation.coat())) {
+            surface_frames_->write(simulation.dynamics(), simulation.coat());
+        } else {
+            io::on_root(*comm_, [&] { background_.wait(); });
+            surface_frames_.reset();
+        }
+    });
+}
+
+void RunFiles::write_together(const Simulation& simulation, const Series& series) {
+    const Dynamics& dynamics = simulation.dynamics();
+    const auto mesh = simulation.stopwatch().time(Phase::geometry, [&] {
+        const MassEvolution evolution = dynamics.evolution();
+        const Coat& coat = simulation.coat();
+        switch (series.picture) {
+            case Picture::masses: return mass_mesh(*comm_, dynamics, coat, evolution);
+            case Picture::topology: return topology_mesh(*comm_, dynamics, coat, evolution);
+            case Picture::crack: return surface_mesh(*comm_, dynamics, coat, evolution, Faces::crack_only);
+            case Picture::surface: break;
+        }
+        return surface_mesh(*comm_, dynamics, coat, evolution, Faces::all_free);
+    });
+    simulation.stopwatch().time(Phase::output, [&] {
+        io::on_root(*comm_, [&] { background_.wait(); });
+        series.writer->write(mesh, dynamics.state().step, dynamics.state().time());
+    });
 }
 
 void RunFiles::history(const Simulation& simulation) {
@@ -92,12 +127,14 @@ void RunFiles::heartbeat(const Simulation& simulation) {
 }
 
 void RunFiles::finish() {
+    io::on_root(*comm_, [&] { background_.wait(); });
     for (const Series& series : series_) {
         series.writer->finish_index();
     }
 }
 
-std::vector<io::FrameSeries> RunFiles::frames() const {
+std::vector<io::FrameSeries> RunFiles::frames() {
+    background_.settle();
     std::vector<io::FrameSeries> all;
     for (const Series& series : series_) {
         all.push_back(series.writer->series());

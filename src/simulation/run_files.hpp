@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "io/background.hpp"
 #include "io/event_writer.hpp"
 #include "io/frame_record.hpp"
 #include "io/frame_writer.hpp"
@@ -11,6 +13,7 @@
 #include "partition/stop_request.hpp"
 #include "simulation/progress.hpp"
 #include "simulation/simulation.hpp"
+#include "simulation/surface_frames.hpp"
 
 namespace cracksim::simulation {
 
@@ -28,7 +31,8 @@ public:
 
     /// Completes the files that list others, at the end of a run. Collective.
     void finish();
-    [[nodiscard]] std::vector<io::FrameSeries> frames() const;
+    /// Those that are whole; on the root all of them.
+    [[nodiscard]] std::vector<io::FrameSeries> frames();
 
 private:
     enum class Picture { surface, crack, masses, topology };
@@ -37,11 +41,18 @@ private:
         std::unique_ptr<io::FrameWriter> writer;
     };
 
+    [[nodiscard]] io::FrameWriter* writer(Picture picture) const;
+    void write_surface_beside_the_run(const Simulation& simulation);
+    void write_together(const Simulation& simulation, const Series& series);
+
     io::EventWriter events_;
     io::HistoryWriter history_;
     std::vector<Series> series_;
     Progress* progress_;
+    const partition::Communicator* comm_;
     partition::StopRequest stop_;
+    std::optional<SurfaceFrames> surface_frames_;  ///< until they become too large
+    io::Background background_;                    ///< the last member: its jobs use the others
 };
 
 }  // namespace cracksim::simulation

@@ -31,6 +31,14 @@ std::string cause_of(const CertifiedStep& certified, bool finite) {
     return text.str();
 }
 
+geometry::SharedUnions starting_unions(const physics::Network& network) {
+    geometry::SharedUnions unions{static_cast<std::size_t>(network.mass_count())};
+    for (std::size_t u = 0; u < network.union_count(); ++u) {
+        unions.set(network.union_masses(u));
+    }
+    return unions;
+}
+
 }  // namespace
 
 Simulation::Simulation(const partition::Communicator& comm, const Scene& scene, Stopwatch& stopwatch)
@@ -39,7 +47,7 @@ Simulation::Simulation(const partition::Communicator& comm, const Scene& scene, 
       stopwatch_{&stopwatch},
       certified_{certify_step(scene)},
       dynamics_{comm, scene, certified_.step, stopwatch},
-      coat_{comm, scene.block, dynamics_.decomposition()},
+      coat_{comm, scene.block, dynamics_.decomposition(), starting_unions(dynamics_.network())},
       coat_schedule_{scene.coat_rate, certified_.step},
       frame_schedule_{scene.output.rate, certified_.step},
       history_schedule_{scene.history_rate, certified_.step} {}
@@ -87,7 +95,7 @@ void Simulation::step_actions(Observer& observer, bool forced) {
 
 void Simulation::bring_coat_up_to_date(Observer& observer) {
     const News news{dynamics_.take_events(), dynamics_.take_splits()};
-    stopwatch_->time(Phase::topology, [&] { coat_.modify(news.splits, dynamics_.state().unions); });
+    stopwatch_->time(Phase::topology, [&] { coat_.modify(news.splits); });
     if (audit_) {
         dynamics_.audit(*audit_);
     }

@@ -41,4 +41,10 @@ private:
 
 static_assert(sizeof(FaceLink) == 4);
 
+/// The edge that edge k of a face meets over a link, end for end: it joins corners k and k + 1, which meet corners
+/// rotation - k and rotation - k - 1.
+[[nodiscard]] constexpr int edge_met(int rotation, int k, int face_corners) {
+    return (rotation - k - 1 + 2 * face_corners) % face_corners;
+}
+
 }  // namespace cracksim::topology

@@ -38,9 +38,7 @@ Dart GMap::alpha3(Dart dart) const {
     if (!to.is_local()) {
         return Dart{};
     }
-    // Edge k joins corners k and k + 1, which meet corners r - k and r - k - 1: so it meets edge r - k - 1, end for
-    // end.
-    const int k = (to.rotation() - Cell::place(d) - 1 + 2 * Cell::face_corners) % Cell::face_corners;
+    const int k = edge_met(to.rotation(), Cell::place(d), Cell::face_corners);
     return dart_of(to.entity(), to.face(), k, 1 - Cell::end(d));
 }
 

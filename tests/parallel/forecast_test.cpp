@@ -60,9 +60,9 @@ TEST(ModelBytes, AreWhatNetworkStateAndMapHold) {
         const Simulation simulation{world(), scene, stopwatch};
         const Dynamics& dynamics = simulation.dynamics();
         const auto held = static_cast<double>(dynamics.network().memory_bytes() + dynamics.state().memory_bytes() +
-                                              simulation.coat().map().memory_bytes());
+                                              simulation.coat().memory_bytes());
         const double model = model_bytes(load_of(dynamics, simulation.coat()), scene.time.scheme, 0);
-        // Lists that grew have room for more than they hold, of which the process never touches a page; labels come with the first coat.
+        // Lists that grew have room for more than they hold, of which the process never touches a page.
         EXPECT_LT(model, 1.04 * held);
         EXPECT_GT(model, 0.85 * held);
     }

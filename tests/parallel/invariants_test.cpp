@@ -36,7 +36,7 @@ std::string scene_text(const std::string& partition, const std::string& scheme, 
            scheme + "}\ncoat: {rate: 400}\noutput: {rate: 0}\npartition: {kind: " + partition + "}\n";
 }
 
-using Labels = IdArray<LocalEntity, EntityId>;
+using LabelArray = IdArray<LocalEntity, EntityId>;
 
 class Invariants : public Observer {
 public:
@@ -44,15 +44,26 @@ public:
         ++coats;
         map_is_valid(s);
         faces_are_sewn_exactly_while_corners_share_unions(s);
-        boundaries_are_closed(s, s.coat().components());
-        boundaries_are_closed(s, s.coat().fragments());
-        rest_volumes_add_up_to_the_block(s, s.coat().components(), s.coat().component_count());
-        rest_volumes_add_up_to_the_block(s, s.coat().fragments(), s.coat().fragment_count());
+        const LabelArray components = labels(s, &Coat::component);
+        const LabelArray fragments = labels(s, &Coat::fragment);
+        boundaries_are_closed(s, components, components);
+        boundaries_are_closed(s, fragments, components);
+        rest_volumes_add_up_to_the_block(s, components, s.coat().component_count());
+        rest_volumes_add_up_to_the_block(s, fragments, s.coat().fragment_count());
     }
 
     int coats{0};
 
 private:
+    /// Of owned entities.
+    static LabelArray labels(const Simulation& s, EntityId (Coat::*label)(LocalEntity) const) {
+        LabelArray all(s.dynamics().decomposition().entities.size());
+        for (LocalEntity e{0}; e.index() < all.size(); ++e) {
+            all[e] = s.dynamics().network().owned(e) ? (s.coat().*label)(e) : EntityId{};
+        }
+        return all;
+    }
+
     void map_is_valid(const Simulation& s) {
         const auto reason = topology::validate(s.coat().map());
         EXPECT_FALSE(reason.has_value()) << *reason;
@@ -82,12 +93,12 @@ private:
         }
     }
 
-    void boundaries_are_closed(const Simulation& s, const Labels& labels) {
+    void boundaries_are_closed(const Simulation& s, const LabelArray& labels, const LabelArray& components) {
         const auto& owned = s.dynamics().decomposition().owned;
         const auto faces = geometry::free_faces(s.coat().map(), owned.span());
-        const physics::Evolution evolution = s.dynamics().evolution();
+        const MassEvolution evolution = s.dynamics().evolution();
         if (world().size() == 1) {
-            const auto reason = geometry::validate_closure(s.coat().map(), faces, s.coat().components());
+            const auto reason = geometry::validate_closure(s.coat().map(), faces, components);
             EXPECT_FALSE(reason.has_value()) << *reason;
         }
         const auto enclosed = over_all_ranks(geometry::measure_boundaries(faces, labels, evolution, Vec3{}));
@@ -101,7 +112,7 @@ private:
     }
 
     /// The current volume of each label's entities, entity by entity from all six faces.
-    static std::vector<geometry::BoundaryMeasure> entity_volumes(const Simulation& s, const Labels& labels,
+    static std::vector<geometry::BoundaryMeasure> entity_volumes(const Simulation& s, const LabelArray& labels,
                                                                  const physics::Evolution& evolution) {
         std::map<EntityId, geometry::BoundaryMeasure> sums;
         for (LocalEntity e{0}; e.index() < labels.size(); ++e) {
@@ -130,7 +141,7 @@ private:
         return all;
     }
 
-    void rest_volumes_add_up_to_the_block(const Simulation& s, const Labels& labels, std::int64_t count) {
+    void rest_volumes_add_up_to_the_block(const Simulation& s, const LabelArray& labels, std::int64_t count) {
         const Block& block = s.scene().block;
         const double entity_volume = block.volume() / static_cast<double>(block.entity_count());
         const auto sizes = geometry::label_sizes(labels, s.dynamics().decomposition().owned.span(), entity_volume);

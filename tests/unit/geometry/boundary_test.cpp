@@ -38,7 +38,7 @@ struct Sample {
 
     Block block;
     topology::GMap map;
-    physics::Evolution evolution;
+    sample::ListedEvolution evolution;
     IdArray<LocalEntity, EntityId> components;
     std::vector<FreeFace> faces;
 };
@@ -94,7 +94,7 @@ TEST(Boundary, FragmentsThatFlyApartKeepTheBlocksVolume) {
     s.find_surface();
     for (LocalMass m{0}; m.value() < s.map.entity_count() * 8; ++m) {
         const auto label = static_cast<double>(s.components[entity_of(m)].value());
-        s.evolution.displacement[m] += Vec3{0.01 * label, -0.02 * label, 0.005 * label};
+        s.evolution.displacements[m] += Vec3{0.01 * label, -0.02 * label, 0.005 * label};
     }
     const auto measures = s.measure();
     ASSERT_GT(measures.size(), 3U);

@@ -67,7 +67,7 @@ TEST(Opening, IsTheMeanDistanceOfTheCornersFromBothSides) {
     auto map = whole(block);
     auto evolution = sample::at_rest(block);
     for (int c = 0; c < 8; ++c) {
-        evolution.displacement[local_mass(LocalEntity{1}, c)] = c < 4 ? Vec3{0.03, 0, 0.04} : Vec3{0.01, 0, 0};
+        evolution.displacements[local_mass(LocalEntity{1}, c)] = c < 4 ? Vec3{0.03, 0, 0.04} : Vec3{0.01, 0, 0};
     }
     unsew(map, LocalEntity{0}, 1);
     const auto left = opening(map, {LocalEntity{0}, 1, true, topology::corners_of(LocalEntity{0}, 1)}, evolution);

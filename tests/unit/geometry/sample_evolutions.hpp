@@ -3,16 +3,28 @@
 #include <cmath>
 
 #include "core/block.hpp"
+#include "core/id_array.hpp"
 #include "physics/evolution.hpp"
 
 namespace cracksim::geometry::sample {
 
-inline physics::Evolution at_rest(const Block& block) {
-    const auto masses = static_cast<std::size_t>(block.mass_count());
-    physics::Evolution evolution{IdArray<LocalMass, Vec3>(masses), IdArray<LocalMass, Vec3>(masses)};
+/// Kept as lists.
+struct ListedEvolution final : physics::Evolution {
+    explicit ListedEvolution(std::size_t masses) : rest_positions(masses), displacements(masses) {}
+
+    [[nodiscard]] Vec3 rest(LocalMass m) const override { return rest_positions[m]; }
+    [[nodiscard]] Vec3 displacement(LocalMass m) const override { return displacements[m]; }
+
+    IdArray<LocalMass, Vec3> rest_positions;
+    IdArray<LocalMass, Vec3> displacements;
+};
+
+inline ListedEvolution at_rest(const Block& block) {
+    ListedEvolution evolution{static_cast<std::size_t>(block.mass_count())};
     for (EntityId e{0}; e.value() < block.entity_count(); ++e) {
         for (int c = 0; c < Hexahedron::corners; ++c) {
-            evolution.rest[LocalMass{static_cast<std::int32_t>(mass_id(e, c).value())}] = block.position(e, c);
+            evolution.rest_positions[LocalMass{static_cast<std::int32_t>(mass_id(e, c).value())}] =
+                block.position(e, c);
         }
     }
     return evolution;
@@ -20,10 +32,10 @@ inline physics::Evolution at_rest(const Block& block) {
 
 /// Adds a displacement that is a function of the rest position, so that all masses of a vertex stay together.
 template <class Field>
-void displace(physics::Evolution& evolution, const Field& field) {
-    for (std::size_t m = 0; m < evolution.rest.size(); ++m) {
+void displace(ListedEvolution& evolution, const Field& field) {
+    for (std::size_t m = 0; m < evolution.rest_positions.size(); ++m) {
         const LocalMass mass{static_cast<std::int32_t>(m)};
-        evolution.displacement[mass] += field(evolution.rest[mass]);
+        evolution.displacements[mass] += field(evolution.rest(mass));
     }
 }
 

@@ -51,6 +51,57 @@ TEST(Validate, LeavesFacesSewnToEntitiesThatAreNotLocalOut) {
     EXPECT_EQ(validate(GMap{links}), std::nullopt);
 }
 
+/// A map with one link or one sewn bit changed.
+GMap planted(const GMap& map, LocalEntity entity, int face, FaceLink link, bool flip) {
+    std::vector<FaceLink> links;
+    for (LocalEntity e{0}; e.value() < map.entity_count(); ++e) {
+        for (int f = 0; f < Cell::faces; ++f) {
+            links.push_back(e == entity && f == face ? link : map.link(e, f));
+        }
+    }
+    GMap faulty{links};
+    for (LocalEntity e{0}; e.value() < map.entity_count(); ++e) {
+        const unsigned boundary = e == entity && link.is_boundary() ? 1U << static_cast<unsigned>(face) : 0U;
+        const unsigned flipped = flip && e == entity ? 1U << static_cast<unsigned>(face) : 0U;
+        faulty.set_sewn_mask(e, static_cast<std::uint8_t>((map.sewn_mask(e) ^ flipped) & ~boundary));
+    }
+    return faulty;
+}
+
+TEST(Validate, FindsEveryPlantedFaultAsALookAtEveryDartDoes) {
+    sample::Random random{91};
+    GMap map = sample::whole(sample::block(3, 2, 2));
+    sample::unsew_randomly(map, random, 30);
+    EXPECT_EQ(validate(map), std::nullopt);
+    EXPECT_EQ(validate_by_darts(map), std::nullopt);
+    int faults = 0;
+    for (LocalEntity e{0}; e.value() < map.entity_count(); ++e) {
+        for (int f = 0; f < Cell::faces; ++f) {
+            const FaceLink link = map.link(e, f);
+            if (!link.is_local()) {
+                continue;
+            }
+            std::vector<FaceLink> wrong{FaceLink::boundary(), FaceLink::local(e, f, link.rotation()),
+                                        FaceLink::local(link.entity(), link.face() ^ 1, link.rotation()),
+                                        FaceLink::local(LocalEntity{map.entity_count()}, 0, 0)};
+            for (int turn = 1; turn < 4; ++turn) {
+                wrong.push_back(FaceLink::local(link.entity(), link.face(), (link.rotation() + turn) % 4));
+            }
+            for (const FaceLink other : wrong) {
+                const GMap faulty = planted(map, e, f, other, false);
+                EXPECT_TRUE(validate(faulty).has_value());
+                EXPECT_EQ(validate(faulty), validate_by_darts(faulty));
+                ++faults;
+            }
+            const GMap faulty = planted(map, e, f, link, true);
+            EXPECT_TRUE(validate(faulty).has_value());
+            EXPECT_EQ(validate(faulty), validate_by_darts(faulty));
+            ++faults;
+        }
+    }
+    EXPECT_EQ(faults, 2 * 8 * 20);
+}
+
 TEST(ValidateSewing, FindsAFaceThatIsSewnWithoutSharedUnions) {
     const GMap map = sample::whole(sample::block(2, 1, 1));
     const auto all = [](LocalEntity, int) { return true; };

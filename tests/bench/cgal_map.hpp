@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "tests/long/cgal_block.hpp"
+
+namespace cracksim::test {
+
+/// What the rows of the table of map.cpp are for CGAL's map. Faces are named by their entity and axis: its upper face.
+class CgalMap {
+public:
+    using Map = CgalBlock::Map;
+
+    explicit CgalMap(const std::array<std::int64_t, 3>& cells);
+
+    void unsew(const std::vector<std::int64_t>& faces);
+    /// Sums over all darts, met volume corner by volume corner, or vertex by vertex.
+    [[nodiscard]] std::int64_t walk_corners();
+    [[nodiscard]] std::int64_t walk_vertices();
+    [[nodiscard]] std::int64_t count_free_faces() const;
+    [[nodiscard]] bool is_valid() const { return map_.is_valid(); }
+    [[nodiscard]] std::int64_t count_components();
+    [[nodiscard]] std::size_t bytes() const { return map_.bytes(); }
+
+private:
+    template <class Walk>
+    std::int64_t walk(const Walk& darts_of_orbit);
+
+    Map map_;
+    std::vector<Map::Dart_handle> upper_;  ///< by 3 * entity + axis
+};
+
+}  // namespace cracksim::test

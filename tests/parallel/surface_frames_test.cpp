@@ -1,0 +1,84 @@
+// The surface as the root keeps it from what the ranks tell, against the meshes that all ranks make anew, in every coat.
+#include "simulation/surface_frames.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "io/spread_mesh.hpp"
+#include "partition/communicator.hpp"
+#include "simulation/pictures.hpp"
+#include "simulation/scene_reader.hpp"
+#include "simulation/simulation.hpp"
+#include "support/drawn_scene.hpp"
+
+namespace cracksim::simulation {
+namespace {
+
+const partition::Communicator& world() {
+    static const partition::Communicator comm{MPI_COMM_WORLD};
+    return comm;
+}
+
+class BothWays : public Observer {
+public:
+    explicit BothWays(const Simulation& s)
+        : reporter_{s.dynamics().decomposition().entities.size()},
+          whole_{s.scene().block, static_cast<std::size_t>(world().size())} {}
+
+    void frame(const Simulation& s) override {
+        const auto all = world().gather<std::byte>(packed(reporter_.report(s.dynamics(), s.coat())));
+        const geometry::Mesh surface = made_anew(s, Faces::all_free);
+        const geometry::Mesh crack = made_anew(s, Faces::crack_only);
+        if (world().is_root()) {
+            whole_.take(unpacked(all));
+            are_equal(whole_.surface(), surface);
+            are_equal(whole_.crack(), crack);
+            most_crack_faces = std::max(most_crack_faces, crack.cells());
+        }
+    }
+
+    std::int64_t most_crack_faces{0};
+
+private:
+    static geometry::Mesh made_anew(const Simulation& s, Faces faces) {
+        const geometry::Mesh mesh = surface_mesh(world(), s.dynamics(), s.coat(), s.dynamics().evolution(), faces);
+        return io::gathered(world(), mesh, io::agreed_layout(world(), mesh));
+    }
+    static void are_equal(const geometry::Mesh& found, const geometry::Mesh& expected) {
+        EXPECT_EQ(found.points, expected.points);
+        EXPECT_EQ(found.connectivity, expected.connectivity);
+        for (std::size_t i = 0; i < expected.fields.size(); ++i) {
+            EXPECT_EQ(found.fields[i].name, expected.fields[i].name);
+            EXPECT_EQ(found.fields[i].values, expected.fields[i].values) << expected.fields[i].name;
+        }
+    }
+
+    SurfaceReporter reporter_;
+    WholeSurface whole_;
+};
+
+class FramePartitions : public testing::TestWithParam<const char*> {};
+
+TEST_P(FramePartitions, TheKeptSurfaceIsTheOneMadeAnew) {
+    std::int64_t crack_faces = 0;
+    for (std::uint64_t seed = 11; seed <= 24; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        const std::vector<std::string> settings{std::string{"partition.kind="} + GetParam(), "output.rate=1e9"};
+        const Scene scene = read_scene(test::draw_scene(seed).text, "surface.yaml", settings);
+        Stopwatch stopwatch;
+        Simulation simulation{world(), scene, stopwatch};
+        BothWays frames{simulation};
+        simulation.run(frames);
+        crack_faces += frames.most_crack_faces;
+    }
+    if (world().is_root()) {
+        EXPECT_GT(crack_faces, 1000);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, FramePartitions, testing::Values("metis", "slab", "random"));
+
+}  // namespace
+}  // namespace cracksim::simulation
