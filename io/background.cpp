@@ -1,8 +1,22 @@
 #include "io/background.hpp"
 
+#include <csignal>
 #include <utility>
 
+#include "io/hdf5.hpp"
+
 namespace cracksim::io {
+
+namespace {
+
+/// A signal that came here would break off the system's calls.
+void leave_signals_to_others() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, nullptr);
+}
+
+}  // namespace
 
 Background::~Background() {
     {
@@ -22,11 +36,20 @@ void Background::post(std::function<void()> job) {
     if (failure_) {
         return;
     }
-    jobs_.push_back(std::move(job));
-    if (!thread_.joinable()) {
-        thread_ = std::thread{[this] { work(); }};
+    try {
+        start();
+        jobs_.push_back(std::move(job));
+    } catch (...) {
+        failure_ = std::current_exception();
     }
     changed_.notify_all();
+}
+
+void Background::start() {
+    if (!thread_.joinable()) {
+        hdf5::start();
+        thread_ = std::thread{[this] { work(); }};
+    }
 }
 
 void Background::settle() {
@@ -47,6 +70,7 @@ void Background::check() {
 }
 
 void Background::work() {
+    leave_signals_to_others();
     std::unique_lock lock{mutex_};
     for (;;) {
         changed_.wait(lock, [&] { return ending_ || !jobs_.empty(); });

@@ -10,7 +10,8 @@
 
 namespace cracksim::io {
 
-/// A thread for what takes time with files while the run goes on: jobs one after the other. It starts with the first job.
+/// A thread for what takes time with files while the run goes on: jobs one after the other. It starts with the first job;
+/// that it cannot be started counts as a job's failure. Only one thread posts, waits and asks.
 /// Jobs must not communicate: only the main thread may use MPI. HDF5 knows no threads: whoever uses it elsewhere calls
 /// wait() before. After a job has failed the others are dropped, until somebody has been told by check() or wait().
 class Background {
@@ -31,6 +32,7 @@ public:
     void check();
 
 private:
+    void start();
     void work();
 
     static constexpr std::size_t most_waiting = 1;

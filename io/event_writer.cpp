@@ -1,7 +1,9 @@
 #include "io/event_writer.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/agreement.hpp"
@@ -111,13 +113,13 @@ EventWriter::EventWriter(const partition::Communicator& comm, std::filesystem::p
 void EventWriter::append(std::span<const DupletEvent> events, const SplitParts& parts) const {
     std::vector<DupletEvent> all_events = comm_->gather(events);
     SplitParts all_parts = gather(*comm_, parts);
-    const auto write = [this, all_events = std::move(all_events), all_parts = std::move(all_parts)] {
+    std::function<void()> write = [this, all_events = std::move(all_events), all_parts = std::move(all_parts)] {
         append_on_root(sorted(all_events), io::sorted(all_parts));
     };
     if (background_ == nullptr) {
         on_root(*comm_, write);
     } else if (comm_->is_root()) {
-        background_->post(write);
+        background_->post(std::move(write));
     }
 }
 

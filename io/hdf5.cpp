@@ -25,6 +25,8 @@ Result File::checked(Result result, const std::string& operation) const {
     return result;
 }
 
+void start() { H5open(); }
+
 // Locks are off: someone who looks at the file while the run goes on must not make the run fail.
 File::File(std::filesystem::path path, Access access) : path_{std::move(path)}, access_{access} {
     silence_error_printing();

@@ -14,6 +14,9 @@
 
 namespace cracksim::io::hdf5 {
 
+/// Starts the library, if nobody has yet. It calls MPI then, so a thread that must not needs this done before by one that may.
+void start();
+
 /// How one row of a dataset looks in memory and in the file.
 struct RowType {
     hid_t element;

@@ -56,9 +56,11 @@ void Halo::find_holders(const Communicator& comm, const Decomposition& decomposi
     }
     std::ranges::sort(by_entity);
     for (const auto& [entity, rank] : by_entity) {
-        const bool is_next = holders_.empty() || decomposition.entities[sent_[holders_end_.size() - 1]] != entity;
+        if (holders_.empty() || decomposition.entities[sent_[holders_end_.size() - 1]] != entity) {
+            holders_end_.push_back(0);
+        }
         holders_.push_back(rank);
-        is_next ? holders_end_.push_back(holders_.size()) : static_cast<void>(holders_end_.back() = holders_.size());
+        holders_end_.back() = holders_.size();
     }
 }
 

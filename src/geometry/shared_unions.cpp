@@ -28,12 +28,4 @@ bool SharedUnions::joins(LocalEntity a, LocalEntity b) const {
     return false;
 }
 
-std::vector<std::array<LocalMass, 2>> SharedUnions::pairs() const {
-    std::vector<std::array<LocalMass, 2>> all;
-    for (LocalMass m{0}; m.index() < next_.size(); ++m) {
-        all.push_back({m, next_[m]});
-    }
-    return all;
-}
-
 }  // namespace cracksim::geometry

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "core/block.hpp"
 #include "core/id_array.hpp"
@@ -33,9 +31,6 @@ public:
     }
 
     [[nodiscard]] bool joins(LocalEntity a, LocalEntity b) const;
-
-    /// Each mass with the next one of its union: pairs that join what the unions join.
-    [[nodiscard]] std::vector<std::array<LocalMass, 2>> pairs() const;
 
     [[nodiscard]] std::size_t memory_bytes() const { return next_.bytes(); }
 

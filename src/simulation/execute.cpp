@@ -93,8 +93,13 @@ struct Ending {
     }
 };
 
-void leave_invalid(const Ending& ending, const InvalidRun& invalid) {
-    ending.files.finish();
+/// What could not be written is told beside why the run is invalid, which the summary says in any case.
+void leave_invalid(const Ending& ending, const InvalidRun& invalid, io::Log& log) {
+    try {
+        ending.files.finish();
+    } catch (const SharedError& error) {
+        log.error(error.what());
+    }
     io::Summary summary = ending.summary();
     summary.status = io::Status::invalid;
     summary.invalid = {invalid.step(), invalid.mass(), invalid.what()};
@@ -128,7 +133,7 @@ int run_with_files(const partition::Communicator& comm, Simulation& simulation, 
         files.finish();
     } catch (const InvalidRun& invalid) {
         log.error(invalid.what());
-        leave_invalid(ending, invalid);
+        leave_invalid(ending, invalid, log);
         throw;
     } catch (const SharedError& error) {
         log.error(error.what());

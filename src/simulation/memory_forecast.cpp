@@ -122,7 +122,7 @@ double gathering_bytes(const SeriesForecast& series, const RankSetting& setting,
 
 bool is_kept(const SeriesForecast& series, double cells) {
     const bool is_surface = series.name == "surface" || series.name == "crack";
-    return is_surface && SurfaceFrames::fit(std::llround(cells));
+    return is_surface && SurfaceFrames::fit(series.cells, std::llround(cells));
 }
 
 /// Of a surface that is kept from frame to frame: points and what is told, as lists and packed; on the root what all have told, in the

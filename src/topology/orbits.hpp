@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 #include "core/ids.hpp"
 #include "topology/gmap.hpp"
@@ -43,21 +41,6 @@ template <int... I>
 /// The vertex orbit <alpha1, alpha2, alpha3> as the corners it is made of, from the given one outward. The masses of
 /// one topological vertex share one Mass-union. Whole for corners of owned entities once halo masks are the owners'.
 [[nodiscard]] CornerOrbit vertex_corners(const GMap& map, LocalMass start);
-
-/// Calls action(corners) for each topological vertex of the local entities, in the order of their smallest corners.
-template <class Action>
-void for_each_vertex(const GMap& map, const Action& action) {
-    std::vector<std::uint8_t> met(static_cast<std::size_t>(map.entity_count()) * Cell::corners, 0);
-    for (LocalMass m{0}; m.index() < met.size(); ++m) {
-        if (met[m.index()] == 0) {
-            const CornerOrbit corners = vertex_corners(map, m);
-            for (const LocalMass corner : corners) {
-                met[corner.index()] = 1;
-            }
-            action(corners);
-        }
-    }
-}
 
 /// The vertex orbit's name: its smallest mass (local masses ascend as global ones do).
 [[nodiscard]] LocalMass smallest_corner(const GMap& map, LocalMass start);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/block.hpp"
@@ -26,8 +27,8 @@ partition::Decomposition on_one_rank(const partition::Communicator& comm, const 
     });
 }
 
-geometry::SharedUnions starting_unions(const Block& block) {
-    geometry::SharedUnions unions{static_cast<std::size_t>(block.mass_count())};
+std::vector<std::vector<LocalMass>> starting_unions(const Block& block) {
+    std::vector<std::vector<LocalMass>> unions;
     for (VertexId v{0}; v.value() < block.vertex_count(); ++v) {
         std::vector<LocalMass> masses;
         for (const EntityId e : block.around(v)) {
@@ -37,9 +38,17 @@ geometry::SharedUnions starting_unions(const Block& block) {
             }
             masses.push_back(local_mass(LocalEntity{static_cast<std::int32_t>(e.value())}, corner));
         }
-        unions.set(masses);
+        unions.push_back(std::move(masses));
     }
     return unions;
+}
+
+geometry::SharedUnions shared(const std::vector<std::vector<LocalMass>>& unions, const Block& block) {
+    geometry::SharedUnions shared_unions{static_cast<std::size_t>(block.mass_count())};
+    for (const std::vector<LocalMass>& masses : unions) {
+        shared_unions.set(masses);
+    }
+    return shared_unions;
 }
 
 physics::SplitStream splits_of_coat(const physics::SplitStream& all, std::size_t coat) {
@@ -59,10 +68,11 @@ Block cube(std::int64_t side) { return Block{{side, side, side}, {1, 1, 1}, {}};
 void modify(benchmark::State& state, const partition::Communicator& comm, std::int64_t side, test::Place place) {
     const Block block = cube(side);
     const partition::Decomposition decomposition = on_one_rank(comm, block);
+    const auto unions = starting_unions(block);
     const auto splits = test::sample_splits(block, place, coats * splits_a_coat, 0, 1);
     for ([[maybe_unused]] auto _ : state) {
         state.PauseTiming();
-        Coat coat{comm, block, decomposition, starting_unions(block)};
+        Coat coat{comm, block, decomposition, shared(unions, block)};
         state.ResumeTiming();
         for (std::size_t i = 0; i < coats; ++i) {
             coat.modify(splits_of_coat(splits, i));
@@ -76,14 +86,14 @@ void modify(benchmark::State& state, const partition::Communicator& comm, std::i
 void look_at_all(benchmark::State& state, const partition::Communicator& comm, std::int64_t side) {
     const Block block = cube(side);
     const partition::Decomposition decomposition = on_one_rank(comm, block);
-    const geometry::SharedUnions unions = starting_unions(block);
-    const Coat coat{comm, block, decomposition, unions};
+    const auto unions = starting_unions(block);
+    const Coat coat{comm, block, decomposition, shared(unions, block)};
     for ([[maybe_unused]] auto _ : state) {
         for (std::size_t i = 0; i < coats; ++i) {
             auto labels = decomposition.entities;
             benchmark::DoNotOptimize(topology::lower_to_component(coat.map(), decomposition.owned.span(), labels));
             labels = decomposition.entities;
-            benchmark::DoNotOptimize(geometry::lower_to_fragment(unions.pairs(), labels));
+            benchmark::DoNotOptimize(geometry::lower_to_fragment(unions, labels));
         }
     }
     state.counters["entities"] = static_cast<double>(block.entity_count());

@@ -145,6 +145,21 @@ void walk_corners(benchmark::State& state) {
     darts_processed(state);
 }
 
+/// Calls action(corners) for each topological vertex of the local entities, in the order of their smallest corners.
+template <class Action>
+void for_each_vertex(const GMap& map, const Action& action) {
+    std::vector<std::uint8_t> met(static_cast<std::size_t>(map.entity_count()) * Cell::corners, 0);
+    for (LocalMass m{0}; m.index() < met.size(); ++m) {
+        if (met[m.index()] == 0) {
+            const CornerOrbit corners = vertex_corners(map, m);
+            for (const LocalMass corner : corners) {
+                met[corner.index()] = 1;
+            }
+            action(corners);
+        }
+    }
+}
+
 void walk_vertices(benchmark::State& state) {
     const GMap& map = whole_map();
     for ([[maybe_unused]] auto _ : state) {

@@ -10,6 +10,7 @@ import time
 from runner import ENVIRONMENT, check, cracking_scene, main, summary
 
 LARGE = cracking_scene(output={"rate": 400, "masses": True})  # 6 MB and more
+FREQUENT = cracking_scene(output={"rate": 2000, "surface": True, "crack": True})  # 8 MB, all written beside the run
 LONG = cracking_scene(time={"end": 1000})
 
 
@@ -44,12 +45,12 @@ def frames_listed_are_there(directory, found):
 
 
 def full_disk_leaves_a_summary_that_says_so(workplace, quick):
-    for ranks in (2,) if quick else (1, 3):
+    for scene, ranks in ((LARGE, 2), (FREQUENT, 2)) if quick else ((LARGE, 1), (LARGE, 3), (FREQUENT, 1), (FREQUENT, 3)):
         with small_disk(workplace, "2m") as disk:
             if not disk:
                 print("skipped full_disk_leaves_a_summary_that_says_so: a small disk cannot be mounted here", flush=True)
                 return
-            done = workplace.run(workplace.write(LARGE), "--out", disk / "run", ranks=ranks)
+            done = workplace.run(workplace.write(scene), "--out", disk / "run", ranks=ranks)
             check(done.returncode == 1, f"the exit code is {done.returncode}, not 1\n{done.stdout}{done.stderr}")
             said = [line for line in done.stderr.splitlines() if "No space left on device" in line]
             check(len(said) == 1, f"the full disk is told {len(said)} times:\n{done.stderr}")

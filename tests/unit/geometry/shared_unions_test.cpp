@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
-
-#include "geometry/fragments.hpp"
+#include <vector>
 
 namespace cracksim::geometry {
 namespace {
@@ -45,15 +44,6 @@ TEST(SharedUnions, APartIsWhatASplitSays) {
     unions.set(first_corners({2}));
     EXPECT_EQ(neighbours(unions, 3), (std::set<std::int32_t>{0}));
     EXPECT_TRUE(neighbours(unions, 1).empty());
-}
-
-TEST(SharedUnions, PairsJoinWhatUnionsJoin) {
-    SharedUnions unions{40};
-    unions.set(first_corners({1, 2, 4}));
-    IdArray<LocalEntity, EntityId> labels{std::vector{EntityId{0}, EntityId{1}, EntityId{2}, EntityId{3}, EntityId{4}}};
-    EXPECT_TRUE(lower_to_fragment(unions.pairs(), labels));
-    EXPECT_EQ(std::vector(labels.begin(), labels.end()),
-              (std::vector{EntityId{0}, EntityId{1}, EntityId{1}, EntityId{3}, EntityId{1}}));
 }
 
 }  // namespace

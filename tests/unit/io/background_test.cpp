@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace cracksim::io {
@@ -39,6 +41,25 @@ TEST(Background, TellsWhatAJobThrewOnceAndDropsTheJobsBehindIt) {
     background.post([&] { ++done; });
     background.wait();
     EXPECT_EQ(done, 1);
+}
+
+TEST(Background, DropsTheJobsBehindOneThatFailedUntilThatIsTold) {
+    Background background;
+    int done = 0;
+    background.post([] { throw std::runtime_error{"no room"}; });
+    background.settle();
+    background.post([&] { ++done; });
+    EXPECT_THROW(background.wait(), std::runtime_error);
+    EXPECT_EQ(done, 0);
+}
+
+TEST(Background, IsNotMetBySignals) {
+    Background background;
+    sigset_t blocked;
+    background.post([&] { pthread_sigmask(SIG_SETMASK, nullptr, &blocked); });
+    background.wait();
+    EXPECT_EQ(sigismember(&blocked, SIGTERM), 1);
+    EXPECT_EQ(sigismember(&blocked, SIGINT), 1);
 }
 
 TEST(Background, SettlesWithoutTellingWhatAJobThrew) {

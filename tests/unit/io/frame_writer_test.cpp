@@ -165,6 +165,57 @@ TEST_P(FrameWriting, FailedWriteThrowsOnAllRanksAndLeavesTheSeriesAsItWas) {
     EXPECT_EQ(surface_.write(mesh, 2, 2).file, "frames/surface-000001.hdf");
 }
 
+TEST_P(FrameWriting, FrameOfTheRootAloneIsTheOneThatAllWrite) {
+    const geometry::Mesh whole = strip_mesh(partition::Communicator{MPI_COMM_SELF}, 11, 0.5);
+    const FrameRecord together = surface_.write(strip_mesh(world(), 11, 0.5), 7, 0.125);
+    const FrameRecord alone = world().is_root() ? surface_.write_alone(whole, 7, 0.125) : FrameRecord{};
+    world().barrier();
+    if (world().is_root()) {
+        EXPECT_EQ(alone.file, "frames/surface-000001.hdf");
+        EXPECT_EQ(alone.faces, together.faces);
+        EXPECT_EQ(alone.points, together.points);
+        const hdf5::File expected = frame(together.file);
+        const hdf5::File found = frame(alone.file);
+        EXPECT_EQ(found.read<Vec3>("/VTKHDF/Points"), expected.read<Vec3>("/VTKHDF/Points"));
+        for (const char* name : {"/VTKHDF/Connectivity", "/VTKHDF/Offsets", "/VTKHDF/CellData/entity",
+                                 "/VTKHDF/FieldData/Step", "/VTKHDF/NumberOfPoints"}) {
+            EXPECT_EQ(found.read<std::int64_t>(name), expected.read<std::int64_t>(name)) << name;
+        }
+        for (const char* name : {"/VTKHDF/CellData/opening", "/VTKHDF/FieldData/TimeValue"}) {
+            EXPECT_EQ(found.read<double>(name), expected.read<double>(name)) << name;
+        }
+    }
+}
+
+TEST_P(FrameWriting, FramesOfAllFollowThoseOfTheRootAlone) {
+    const geometry::Mesh whole = strip_mesh(partition::Communicator{MPI_COMM_SELF}, 2, 0);
+    if (world().is_root()) {
+        EXPECT_FALSE(surface_.write_alone(strip_mesh(partition::Communicator{MPI_COMM_SELF}, 0, 0), 0, 0).written());
+        surface_.write_alone(whole, 1, 0.1);
+        surface_.write_alone(whole, 2, 0.2);
+    }
+    EXPECT_EQ(surface_.write(strip_mesh(world(), 3, 0), 3, 0.3).file, "frames/surface-000002.hdf");
+    EXPECT_EQ(surface_.write(strip_mesh(world(), 3, 0), 4, 0.4).file, "frames/surface-000003.hdf");
+    surface_.finish_index();
+    const nlohmann::json series = nlohmann::json::parse(text_of(scratch_ / "surface.hdf.series"));
+    EXPECT_EQ(series["files"].size(), 4U);
+    EXPECT_EQ(surface_.series().frames.size(), world().is_root() ? 4U : 2U);
+}
+
+TEST_P(FrameWriting, FailedWriteOfTheRootAloneLeavesTheSeriesAsItWas) {
+    if (world().is_root()) {
+        const partition::Communicator alone{MPI_COMM_SELF};
+        surface_.write_alone(strip_mesh(alone, 2, 0), 0, 0);
+        {
+            const FileSizeLimit limit{200000};
+            EXPECT_THROW(surface_.write_alone(strip_mesh(alone, 20000, 0), 1, 1), FileError);
+        }
+        EXPECT_FALSE(has_unfinished(scratch_.path()));
+        EXPECT_EQ(surface_.series().frames.size(), 1U);
+        EXPECT_EQ(surface_.write_alone(strip_mesh(alone, 20000, 0), 2, 2).file, "frames/surface-000001.hdf");
+    }
+}
+
 TEST_P(FrameWriting, SizesOfFramesAndIndexesAreKnownBeforehand) {
     constexpr std::int64_t frames = 5;
     constexpr std::int64_t cells = 20000;
