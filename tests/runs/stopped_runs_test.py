@@ -58,6 +58,22 @@ def full_disk_leaves_a_summary_that_says_so(workplace, quick):
         (workplace.path / "disk").rmdir()
 
 
+def frame_that_cannot_be_written_ends_the_run(workplace, quick):
+    """Soon, if more frames were to follow; also if it is the last one. A folder stands where the second frame should."""
+    for rate, ranks in ((2000, 2), (0, 1)) if quick else ((2000, 1), (2000, 3), (0, 1), (0, 3)):
+        scene = cracking_scene(output={"rate": rate, "surface": True, "crack": True})
+        directory = workplace.finished(scene, ranks=ranks)
+        obstacle = directory / "frames/surface-000001.hdf"
+        obstacle.unlink()
+        obstacle.mkdir()
+        done = workplace.run(workplace.write(scene), "--out", directory, ranks=ranks)
+        check(done.returncode == 1, f"the exit code is {done.returncode}, not 1\n{done.stdout}{done.stderr}")
+        found = check_stopped(directory, "surface-000001.hdf")
+        check(len(found["frames"]["surface"]) == 1, f"frames are listed that are not there: {found['frames']}")
+        last = float((directory / "history.csv").read_text(encoding="utf-8").splitlines()[-1].split(",")[1])
+        check(rate == 0 or last < 0.03, f"the run went on until {last} s")
+
+
 def summary_of_an_old_run_is_never_left_to_one_that_failed(workplace, quick):
     del quick
     with small_disk(workplace, "2m") as disk:
@@ -137,5 +153,6 @@ def terminal_that_takes_nothing_is_told_once_and_is_no_success(workplace, quick)
 
 
 if __name__ == "__main__":
-    main([full_disk_leaves_a_summary_that_says_so, summary_of_an_old_run_is_never_left_to_one_that_failed,
-          sigterm_stops_all_ranks_with_a_summary, terminal_that_takes_nothing_is_told_once_and_is_no_success])
+    main([full_disk_leaves_a_summary_that_says_so, frame_that_cannot_be_written_ends_the_run,
+          summary_of_an_old_run_is_never_left_to_one_that_failed, sigterm_stops_all_ranks_with_a_summary,
+          terminal_that_takes_nothing_is_told_once_and_is_no_success])
