@@ -23,7 +23,7 @@ namespace {
 /// What libraries take when they are first used (HDF5, messages, code) beside the block.
 constexpr double libraries_in_use = 6e6;
 /// What they take for a while where no block gave them room, with the thread that writes, over what the process held before: the
-/// peak of runs of 1 to 224 entities, 10.0 to 11.2 MB on 1, 2 and 4 ranks; another machine took 0.6 MB less.
+/// peak of runs of 1 to 224 entities, 10.0 to 11.2 MB on 1, 2 and 4 ranks; without that thread another machine took 0.6 MB less.
 constexpr Range least_in_use{8'900'000, 12'000'000};
 /// Per entity of the whole block, on the root: the graph, and METIS's coarser graphs; the peak of 800,000 entities on 8 ranks.
 constexpr double metis_per_entity = 180;
