@@ -9,17 +9,22 @@ namespace cracksim::partition {
 
 namespace {
 
-template <class T>
-T reduce(MPI_Comm comm, T value, MPI_Datatype type, MPI_Op operation) {
-    MPI_Allreduce(MPI_IN_PLACE, &value, 1, type, operation, comm);
-    return value;
-}
-
 int as_count(std::size_t bytes) {
     if (bytes > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
         throw std::runtime_error{"a message between two ranks exceeds 2 GiB; use more ranks"};
     }
     return static_cast<int>(bytes);
+}
+
+template <class T>
+void reduce(MPI_Comm comm, std::span<T> values, MPI_Datatype type, MPI_Op operation) {
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), as_count(values.size()), type, operation, comm);
+}
+
+template <class T>
+T reduce(MPI_Comm comm, T value, MPI_Datatype type, MPI_Op operation) {
+    reduce(comm, std::span{&value, 1}, type, operation);
+    return value;
 }
 
 std::vector<int> offsets_of(const std::vector<int>& counts) {
@@ -44,9 +49,7 @@ Communicator::Communicator(MPI_Comm comm) : comm_{comm}, size_{0} {
 std::int64_t Communicator::sum(std::int64_t value) const { return reduce(comm_, value, MPI_INT64_T, MPI_SUM); }
 std::uint64_t Communicator::sum(std::uint64_t value) const { return reduce(comm_, value, MPI_UINT64_T, MPI_SUM); }
 double Communicator::sum(double value) const { return reduce(comm_, value, MPI_DOUBLE, MPI_SUM); }
-void Communicator::sum(std::span<std::int64_t> values) const {
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), as_count(values.size()), MPI_INT64_T, MPI_SUM, comm_);
-}
+void Communicator::sum(std::span<std::int64_t> values) const { reduce(comm_, values, MPI_INT64_T, MPI_SUM); }
 std::int64_t Communicator::min(std::int64_t value) const { return reduce(comm_, value, MPI_INT64_T, MPI_MIN); }
 std::int64_t Communicator::max(std::int64_t value) const { return reduce(comm_, value, MPI_INT64_T, MPI_MAX); }
 double Communicator::min(double value) const { return reduce(comm_, value, MPI_DOUBLE, MPI_MIN); }
