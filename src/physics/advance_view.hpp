@@ -4,17 +4,23 @@
 
 namespace cracksim::physics {
 
-/// Plain pointers into the state for one advance over a run of slots.
+/// A chunk (motion.hpp) for one advance.
 struct AdvanceView {
-    double* displacement[3];
-    double* increment[3];
-    double* extrapolated[3];  ///< null with cordis
-    const double* force[3];
-    const double* mobility;
-    std::size_t first;         ///< slot, a multiple of the lanes
-    std::size_t end;           ///< likewise
+    double* chunk;
+    std::size_t stride;
+    std::size_t length;
+    bool extrapolates;
     double longest_increment;  ///< m; beyond it a motion makes no sense
     bool broken;               ///< out: some increment is beyond it or not a number
+};
+
+/// Some slots' components along one axis, for their next increments.
+struct NextIncrementView {
+    const double* increment;
+    const double* mobility;
+    const double* force;
+    double* next;
+    std::size_t count;  ///< a multiple of the lanes
 };
 
 }  // namespace cracksim::physics

@@ -101,20 +101,26 @@ void Network::find_interfaces() {
     }
 }
 
-std::optional<Tie> Network::tie_over(LocalMass m, int face) const {
+std::optional<LocalDuplet> Network::duplet_over(LocalMass m, int face) const {
     const LocalEntity e = entity_of(m);
     const std::int32_t index = interface_at(e, face);
     if (index < 0) {
         return std::nullopt;
     }
     const Interface& shared = interfaces_[static_cast<std::size_t>(index)];
-    const bool at_a = shared.a == e;
-    const int k = at_a ? shared.duplet_at_a(corner_of(m)) : shared.duplet_at_b(corner_of(m));
-    if (k < 0) {
+    const int k = shared.a == e ? shared.duplet_at_a(corner_of(m)) : shared.duplet_at_b(corner_of(m));
+    return k < 0 ? std::nullopt : std::optional{LocalDuplet{index * duplets_per_interface + k}};
+}
+
+std::optional<Tie> Network::tie_over(LocalMass m, int face) const {
+    const auto duplet = duplet_over(m, face);
+    if (!duplet) {
         return std::nullopt;
     }
-    return Tie{LocalDuplet{index * duplets_per_interface + k},
-               at_a ? local_mass(shared.b, shared.corner_b(k)) : local_mass(shared.a, shared.corner_a(k))};
+    const Interface& shared = interfaces_[duplet->index() / duplets_per_interface];
+    const int k = duplet->value() % duplets_per_interface;
+    return Tie{*duplet, shared.a == entity_of(m) ? local_mass(shared.b, shared.corner_b(k))
+                                                 : local_mass(shared.a, shared.corner_a(k))};
 }
 
 void Network::find_duplets(Duplets duplets) {

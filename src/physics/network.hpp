@@ -72,6 +72,8 @@ public:
     [[nodiscard]] const EntityModel& model() const { return model_; }
     [[nodiscard]] std::int32_t entity_count() const { return static_cast<std::int32_t>(entities_.size()); }
     [[nodiscard]] std::int32_t mass_count() const { return entity_count() * Hexahedron::corners; }
+    /// Ascending.
+    [[nodiscard]] const IdArray<LocalEntity, EntityId>& entities() const { return entities_; }
     [[nodiscard]] EntityId entity(LocalEntity e) const { return entities_[e]; }
     [[nodiscard]] bool owned(LocalEntity e) const { return owned_[e] != 0; }
     [[nodiscard]] MassId mass(LocalMass m) const { return mass_id(entities_[entity_of(m)], corner_of(m)); }
@@ -84,6 +86,8 @@ public:
     [[nodiscard]] std::int32_t interface_at(LocalEntity e, int face) const {
         return interface_of_face_[e.index() * Hexahedron::faces + static_cast<std::size_t>(face)];
     }
+    /// The duplet that would tie a mass over a face of its entity; none where there is no interface or the mass is not on the face.
+    [[nodiscard]] std::optional<LocalDuplet> duplet_over(LocalMass m, int face) const;
     /// The mass that meets this one over a face, and the duplet that would tie them; none where there is no interface or
     /// the mass is not on the face.
     [[nodiscard]] std::optional<Tie> tie_over(LocalMass m, int face) const;

@@ -41,9 +41,8 @@ std::int64_t count_labels(const partition::Communicator& comm, const partition::
 
 /// The masses of each advanced union, one after the other in the same buffer.
 auto advanced_unions(const physics::UnionTable& unions, std::vector<LocalMass>& buffer) {
-    return std::views::iota(unions.first_advanced().value(), unions.end().value()) |
-           std::views::transform([&](std::int32_t s) -> std::span<const LocalMass> {
-               unions.masses(physics::Slot{s}, buffer);
+    return unions.advanced() | std::views::transform([&](physics::Slot s) -> std::span<const LocalMass> {
+               unions.masses(s, buffer);
                return buffer;
            });
 }

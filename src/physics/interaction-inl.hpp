@@ -1,0 +1,158 @@
+// The visco-elastic interaction on vectors of entities, once for each SIMD target: no include guard, but Highway's.
+#if defined(CRACKSIM_PHYSICS_INTERACTION_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef CRACKSIM_PHYSICS_INTERACTION_INL_HPP
+#undef CRACKSIM_PHYSICS_INTERACTION_INL_HPP
+#else
+#define CRACKSIM_PHYSICS_INTERACTION_INL_HPP
+#endif
+
+#include <hwy/highway.h>
+
+#include "physics/force_sweep_view.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace cracksim::physics::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using D = hn::CappedTag<double, Lattice::lanes>;
+using V = hn::Vec<D>;
+
+struct V3 {
+    V x, y, z;
+};
+
+HWY_INLINE V3 Sub(const V3& a, const V3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
+HWY_INLINE V Dot(const V3& a, const V3& b) { return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x))); }
+
+/// Over the interactions of the entities: sums, and what decides about sensing and about the range of the series.
+struct Outcome {
+    V dissipated;
+    V elastic;
+    V farthest;  ///< largest |extension|
+    hn::Mask<D> exceeded[3];
+};
+
+/// d = d0 + du, and the extension |d|^2/L0^2 - 1 = (2 d0 + du).du / L0^2, without cancellation.
+struct Extended {
+    V3 distance;
+    V extension;
+};
+
+template <std::size_t I>
+HWY_INLINE Extended Extend(const InteractionConstants& c, const V3& du) {
+    const D d;
+    const V scale = hn::Set(d, c.inverse_squared_length);
+    if constexpr (I < HexahedronPairs::edges) {
+        // Edges of a box lie along an axis: across it, d and 2 d0 + du are du.
+        constexpr std::size_t axis = I / HexahedronPairs::edges_per_axis;
+        const V rest = hn::Set(d, c.rest[axis]);
+        const V along = axis == 0 ? du.x : axis == 1 ? du.y : du.z;
+        const V second = axis == 0 ? du.y : axis == 1 ? du.z : du.x;
+        const V third = axis == 0 ? du.z : axis == 1 ? du.x : du.y;
+        const V across = hn::MulAdd(second, second, hn::Mul(third, third));
+        const V distance = hn::Add(rest, along);
+        const V extension = hn::Mul(scale, hn::MulAdd(hn::Add(rest, distance), along, across));
+        return {{axis == 0 ? distance : du.x, axis == 1 ? distance : du.y, axis == 2 ? distance : du.z}, extension};
+    } else {
+        const V3 rest{hn::Set(d, c.rest[0]), hn::Set(d, c.rest[1]), hn::Set(d, c.rest[2])};
+        const V3 distance{hn::Add(rest.x, du.x), hn::Add(rest.y, du.y), hn::Add(rest.z, du.z)};
+        const V3 twice{hn::Add(rest.x, distance.x), hn::Add(rest.y, distance.y), hn::Add(rest.z, distance.z)};
+        return {distance, hn::Mul(scale, Dot(twice, du))};
+    }
+}
+
+/// With the extension x: the shortfall g = 1 - L0/|d| = 1 - (1 + x)^(-1/2), and r = L0/|d| = 1 - g.
+struct Ratio {
+    V shortfall;
+    V inverse;
+};
+
+/// For |x - 0.075| <= 0.425, without division or root. g0 = x P(x) is right to 0.1 %; with the residual R = (1 + x)(1 - g0)^2 - 1,
+/// r = (1 - g0)(1 + R)^(-1/2) to the third power of R: to the last bit of g, relative to g, however small x.
+HWY_INLINE Ratio NearRatio(V x) {
+    const D d;
+    V p = hn::MulAdd(hn::Set(d, Series::p4), x, hn::Set(d, Series::p3));
+    p = hn::MulAdd(p, x, hn::Set(d, Series::p2));
+    p = hn::MulAdd(p, x, hn::Set(d, Series::p1));
+    p = hn::MulAdd(p, x, hn::Set(d, Series::p0));
+    const V one = hn::Set(d, 1.0);
+    const V g0 = hn::Mul(p, x);
+    const V r0 = hn::Sub(one, g0);
+    const V residual = hn::NegMulAdd(hn::Mul(g0, hn::Add(one, r0)), hn::Add(one, x), x);
+    V q = hn::MulAdd(residual, hn::Set(d, 5.0 / 16), hn::Set(d, -3.0 / 8));
+    q = hn::Mul(residual, hn::MulAdd(q, residual, hn::Set(d, 0.5)));
+    const V correction = hn::Mul(r0, q);
+    return {hn::Add(g0, correction), hn::Sub(r0, correction)};
+}
+
+/// Whatever x; in the range of NearRatio with its bits. A vanished length has no direction: no force.
+HWY_INLINE Ratio AnyRatio(V x) {
+    const D d;
+    const V one = hn::Set(d, 1.0);
+    const V squared = hn::Add(one, x);
+    const V length = hn::Sqrt(squared);
+    const auto vanished = hn::Lt(squared, hn::Set(d, Series::tiny_squared));
+    const Ratio near = NearRatio(x);
+    const auto is_near = hn::Le(hn::Abs(hn::Sub(x, hn::Set(d, Series::centre))), hn::Set(d, Series::reach));
+    const V g = hn::IfThenElse(is_near, near.shortfall, hn::Div(x, hn::Add(squared, length)));
+    const V r = hn::IfThenElse(is_near, near.inverse, hn::Div(one, length));
+    return {hn::IfThenZeroElse(vanished, g), hn::IfThenZeroElse(vanished, r)};
+}
+
+/// (|d|/L0 - 1)^2, from g and r; all of it where the length has vanished.
+HWY_INLINE V SquaredStretch(V x, const Ratio& ratio) {
+    const D d;
+    const V squared = hn::Add(hn::Set(d, 1.0), x);
+    const auto vanished = hn::Lt(squared, hn::Set(d, Series::tiny_squared));
+    const V g2 = hn::Mul(ratio.shortfall, ratio.shortfall);
+    return hn::IfThenElse(vanished, hn::Set(d, 1.0), hn::Mul(g2, squared));
+}
+
+/// The force of interaction I on its first corner over d, `weight` times: weight (k g + z' q r^2) with q = dw.d, z' = z/(dt L0^2).
+struct Pull {
+    V factor;
+    V3 distance;
+};
+
+/// kPlain: all weights are above zero.
+template <std::size_t I, bool kPlain, bool kFar, bool kMeasure>
+HWY_INLINE Pull PullOf(const InteractionConstants& c, const V3& du, const V3& dw, V weight, const float* limit, Outcome& sums) {
+    const D d;
+    const Extended e = Extend<I>(c, du);
+    const Ratio ratio = kFar ? AnyRatio(e.extension) : NearRatio(e.extension);
+    const V q = Dot(dw, e.distance);
+    const V drag = hn::Mul(hn::Mul(hn::Set(d, c.viscosity_rate), q), hn::Mul(ratio.inverse, ratio.inverse));
+    const V factor = hn::Mul(weight, hn::MulAdd(hn::Set(d, c.stiffness), ratio.shortfall, drag));
+    sums.dissipated = hn::MulAdd(hn::Mul(weight, q), drag, sums.dissipated);
+    if constexpr (kMeasure) {
+        const V energy = hn::Mul(hn::Mul(weight, hn::Set(d, c.half_energy)), SquaredStretch(e.extension, ratio));
+        sums.elastic = hn::Add(sums.elastic, energy);
+    }
+    if constexpr (!kFar) {
+        const V off = hn::Abs(hn::Sub(e.extension, hn::Set(d, Series::centre)));
+        // The ends of what is void or carried by another entity may be anywhere.
+        sums.farthest = hn::Max(sums.farthest, kPlain ? off : hn::IfThenZeroElse(hn::Eq(weight, hn::Zero(d)), off));
+    }
+    if constexpr (I < HexahedronPairs::edges) {
+        constexpr std::size_t axis = I / HexahedronPairs::edges_per_axis;
+        const hn::Rebind<float, D> df;
+        const V bound = hn::PromoteTo(d, hn::LoadU(df, limit + axis * Lattice::lanes));
+        sums.exceeded[axis] = hn::Or(sums.exceeded[axis], hn::Gt(e.extension, bound));
+    }
+    return {factor, e.distance};
+}
+
+HWY_INLINE V3 Plus(const Pull& pull, const V3& sum) {
+    return {hn::MulAdd(pull.factor, pull.distance.x, sum.x), hn::MulAdd(pull.factor, pull.distance.y, sum.y),
+            hn::MulAdd(pull.factor, pull.distance.z, sum.z)};
+}
+
+HWY_INLINE V3 Minus(const Pull& pull, const V3& sum) {
+    return {hn::NegMulAdd(pull.factor, pull.distance.x, sum.x), hn::NegMulAdd(pull.factor, pull.distance.y, sum.y),
+            hn::NegMulAdd(pull.factor, pull.distance.z, sum.z)};
+}
+
+}  // namespace cracksim::physics::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
