@@ -22,27 +22,35 @@ using V = hn::Vec<D>;
 HWY_INLINE V NextIncrement(V increment, V mobility, V force) { return hn::MulAdd(mobility, force, increment); }
 
 template <bool kExtrapolate>
-void AdvanceAll(AdvanceView& v) {
+HWY_INLINE void AdvanceLanes(const AdvanceView& v, std::size_t at, hn::Mask<D>& sane) {
     const D d;
     const V limit = hn::Set(d, v.longest_increment);
-    auto sane = hn::Eq(limit, limit);
-    for (std::size_t at = 0; at < v.length; at += hn::Lanes(d)) {
-        const auto component = [&](std::size_t quantity) { return v.chunk + quantity * v.stride + at; };
-        const V mobility = hn::Load(d, component(Quantity::mobility));
-        for (std::size_t i = 0; i < 3; ++i) {
-            double* increment = component(Quantity::increment + i);
-            double* displacement = component(Quantity::displacement + i);
-            double* force = component(Quantity::force + i);
-            const V before = hn::Load(d, increment);
-            const V w = NextIncrement(before, mobility, hn::Load(d, force));
-            hn::Store(w, d, increment);
-            hn::Store(hn::Add(hn::Load(d, displacement), w), d, displacement);
-            hn::Store(hn::Zero(d), d, force);
-            if constexpr (kExtrapolate) {
-                const V next = hn::Sub(hn::Mul(hn::Set(d, 1.5), w), hn::Mul(hn::Set(d, 0.5), before));
-                hn::Store(next, d, component(Quantity::extrapolated + i));
-            }
-            sane = hn::And(sane, hn::Lt(hn::Abs(w), limit));
+    const auto component = [&](std::size_t quantity) { return v.chunk + quantity * v.stride + at; };
+    const V mobility = hn::Load(d, component(Quantity::mobility));
+    for (std::size_t i = 0; i < 3; ++i) {
+        double* increment = component(Quantity::increment + i);
+        double* displacement = component(Quantity::displacement + i);
+        double* force = component(Quantity::force + i);
+        const V before = hn::Load(d, increment);
+        const V w = NextIncrement(before, mobility, hn::Load(d, force));
+        hn::Store(w, d, increment);
+        hn::Store(hn::Add(hn::Load(d, displacement), w), d, displacement);
+        hn::Store(hn::Zero(d), d, force);
+        if constexpr (kExtrapolate) {
+            const V next = hn::Sub(hn::Mul(hn::Set(d, 1.5), w), hn::Mul(hn::Set(d, 0.5), before));
+            hn::Store(next, d, component(Quantity::extrapolated + i));
+        }
+        sane = hn::And(sane, hn::Lt(hn::Abs(w), limit));
+    }
+}
+
+template <bool kExtrapolate>
+void AdvanceAll(AdvanceView& v) {
+    const D d;
+    auto sane = hn::Eq(hn::Zero(d), hn::Zero(d));
+    for (std::size_t group = 0; group < v.groups; ++group) {
+        for (std::size_t lane = 0; v.group_advances[group] != 0 && lane < Lattice::lanes; lane += hn::Lanes(d)) {
+            AdvanceLanes<kExtrapolate>(v, group * Lattice::lanes + lane, sane);
         }
     }
     v.broken = v.broken || !hn::AllTrue(d, sane);
@@ -144,8 +152,8 @@ public:
         for (int plane = 0; plane < planes; ++plane) {
             Chunk& chunk = state_->motion.chunk(index, plane);
             if (chunk.advances) {
-                AdvanceView view{chunk.values.data(), chunk.stride, static_cast<std::size_t>(chunk.length),
-                                 state_->scheme == Scheme::ab2, longest_, broken_};
+                AdvanceView view{chunk.values.data(), chunk.stride, chunk.group_advances.size(),
+                                 chunk.group_advances.data(), state_->scheme == Scheme::ab2, longest_, broken_};
                 HWY_DYNAMIC_DISPATCH(Advance)(view);
                 broken_ = view.broken;
             }

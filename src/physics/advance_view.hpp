@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace cracksim::physics {
 
@@ -8,7 +9,8 @@ namespace cracksim::physics {
 struct AdvanceView {
     double* chunk;
     std::size_t stride;
-    std::size_t length;
+    std::size_t groups;                   ///< of lanes
+    const std::uint8_t* group_advances;   ///< whether it is to be advanced, by group
     bool extrapolates;
     double longest_increment;  ///< m; beyond it a motion makes no sense
     bool broken;               ///< out: some increment is beyond it or not a number

@@ -25,8 +25,7 @@ using AllInteractions = std::make_index_sequence<HexahedronPairs::count>;
 HWY_INLINE Outcome Nothing() {
     const D d;
     const V zero = hn::Zero(d);
-    const auto none = hn::Lt(zero, zero);
-    return {zero, zero, zero, {none, none, none}};
+    return {zero, zero, zero, {}};
 }
 
 HWY_INLINE V Bytes(const std::uint8_t* bytes) {
@@ -70,13 +69,6 @@ HWY_INLINE void ClearForces(Corners& x) {
     }
 }
 
-HWY_INLINE unsigned Bits(hn::Mask<D> mask) {
-    const D d;
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, mask, bits);
-    return bits[0];
-}
-
 /// What the sweep of a row adds up over its batches.
 struct RowSums {
     V dissipated;
@@ -84,15 +76,15 @@ struct RowSums {
 };
 
 template <bool kMeasure>
-HWY_INLINE void Collect(const Outcome& outcome, const std::uint8_t* weights, std::size_t lane, unsigned (&exceeded)[3],
+HWY_INLINE void Collect(const Outcome& outcome, const std::uint8_t* weights, std::size_t lane, Exceeded& exceeded,
                         RowSums& sums) {
     const V owned = Weight(weights, HexahedronPairs::count);
     sums.dissipated = hn::MulAdd(owned, outcome.dissipated, sums.dissipated);
     if constexpr (kMeasure) {
         sums.elastic = hn::MulAdd(owned, outcome.elastic, sums.elastic);
     }
-    for (int axis = 0; axis < 3; ++axis) {
-        exceeded[axis] |= Bits(outcome.exceeded[axis]) << lane;
+    for (std::size_t edge = 0; edge < HexahedronPairs::edges; ++edge) {
+        exceeded.edge[edge] = static_cast<std::uint8_t>(exceeded.edge[edge] | outcome.exceeded[edge] << lane);
     }
 }
 
@@ -265,7 +257,7 @@ template <class List, bool kFull, bool kMeasure>
 HWY_NOINLINE void SweepPlain(SweepView& v, PlainRun& run, std::size_t batch, std::size_t b, RowSums& sums) {
     const D d;
     const std::size_t stride = run.stride;
-    unsigned exceeded[3] = {0, 0, 0};
+    Exceeded exceeded{};
     for (std::size_t lane = 0; lane < Lattice::lanes; lane += hn::Lanes(d)) {
         const std::size_t at = batch * Lattice::lanes + lane;
         const std::uint8_t* weights = v.weights + b * Merging::bytes_per_batch + lane;
@@ -286,9 +278,7 @@ HWY_NOINLINE void SweepPlain(SweepView& v, PlainRun& run, std::size_t batch, std
         AddSide<3>(forces, run.side[3] + force, stride, run.before);
         Collect<kMeasure>(outcome, weights, lane, exceeded, sums);
     }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        v.exceeded[b * 3 + axis] = static_cast<std::uint8_t>(exceeded[axis]);
-    }
+    v.exceeded[b] = exceeded;
 }
 
 PlainRun BeginRun(const RowView& row) {
@@ -382,7 +372,6 @@ HWY_INLINE void AddTo(const V3& forces, double* to, std::size_t stride) {
 }
 
 HWY_INLINE void AddCorner(const BatchPlaces& places, std::size_t c, std::size_t lane, const Corners& x) {
-    const D d;
     std::size_t stride = 0;
     if (IsUniform(places, c)) {
         double* to = UniformPlace(places, c, lane, stride);
@@ -391,10 +380,11 @@ HWY_INLINE void AddCorner(const BatchPlaces& places, std::size_t c, std::size_t 
     }
     ForEachPlane(places, c, lane, [&](double* place, std::size_t to_stride, hn::Mask<D> mask) {
         double* to = place + Quantity::force * to_stride;
-        const V3 sum = MaskedLoad3(mask, to, to_stride);
-        hn::BlendedStore(hn::Add(sum.x, x.f[c].x), mask, d, to);
-        hn::BlendedStore(hn::Add(sum.y, x.f[c].y), mask, d, to + to_stride);
-        hn::BlendedStore(hn::Add(sum.z, x.f[c].z), mask, d, to + 2 * to_stride);
+        // Masked stores are slow: what is not of this plane is stored as it was.
+        const V3 sum = Load3(to, to_stride);
+        Store3({hn::IfThenElse(mask, hn::Add(sum.x, x.f[c].x), sum.x), hn::IfThenElse(mask, hn::Add(sum.y, x.f[c].y), sum.y),
+                hn::IfThenElse(mask, hn::Add(sum.z, x.f[c].z), sum.z)},
+               to, to_stride);
     });
 }
 
@@ -413,7 +403,7 @@ HWY_NOINLINE void SweepAny(SweepView& v, const RowView& row, std::size_t batch, 
     const std::size_t b = row.first_batch + batch;
     const BatchPlaces places{&row, v.planes + b * Hexahedron::corners,
                              v.lane_planes + b * Hexahedron::corners * Lattice::lanes, batch * Lattice::lanes};
-    unsigned exceeded[3] = {0, 0, 0};
+    Exceeded exceeded{};
     const unsigned carried = v.carried[b];
     for (std::size_t lane = 0; (carried & 0xffffU) != 0 && lane < Lattice::lanes; lane += hn::Lanes(d)) {
         const std::uint8_t* weights = v.weights + b * Merging::bytes_per_batch + lane;
@@ -431,9 +421,7 @@ HWY_NOINLINE void SweepAny(SweepView& v, const RowView& row, std::size_t batch, 
         AddForces(places, lane, x);
         Collect<kMeasure>(outcome, weights, lane, exceeded, sums);
     }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        v.exceeded[b * 3 + axis] = static_cast<std::uint8_t>(exceeded[axis]);
-    }
+    v.exceeded[b] = exceeded;
 }
 
 HWY_INLINE bool AllWhole(const SweepView& v, std::size_t b) {

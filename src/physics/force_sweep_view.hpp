@@ -23,6 +23,13 @@ struct Series {
     static constexpr double tiny_squared = 1e-24;
 };
 
+/// Which entities of a batch have an edge stretched beyond its limit: by edge, a bit a lane.
+struct Exceeded {
+    alignas(16) std::array<std::uint8_t, HexahedronPairs::edges> edge;
+
+    friend bool operator==(const Exceeded&, const Exceeded&) = default;
+};
+
 /// An interaction's constants as the kernel wants them.
 struct InteractionConstants {
     double rest[3];                 ///< d0, m
@@ -51,7 +58,7 @@ struct SweepView {
     const std::uint8_t* weights;      ///< [batch][row][lane]
     const std::uint32_t* carried;     ///< [batch]
     const float* limits;              ///< [batch][axis][lane]
-    std::uint8_t* exceeded;           ///< [batch][axis]
+    Exceeded* exceeded;               ///< [batch]
     double dissipated;             ///< out: sum of (z/dt) (dw.n)^2, J
     double elastic;                ///< out: sum of k e^2 / 2, J
 };

@@ -24,12 +24,19 @@ struct V3 {
 HWY_INLINE V3 Sub(const V3& a, const V3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
 HWY_INLINE V Dot(const V3& a, const V3& b) { return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x))); }
 
+HWY_INLINE unsigned Bits(hn::Mask<D> mask) {
+    const D d;
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, mask, bits);
+    return bits[0];
+}
+
 /// Over the interactions of the entities: sums, and what decides about sensing and about the range of the series.
 struct Outcome {
     V dissipated;
     V elastic;
     V farthest;  ///< largest |extension|
-    hn::Mask<D> exceeded[3];
+    unsigned exceeded[HexahedronPairs::edges];  ///< by edge, a bit a lane
 };
 
 /// d = d0 + du, and the extension |d|^2/L0^2 - 1 = (2 d0 + du).du / L0^2, without cancellation.
@@ -137,7 +144,7 @@ HWY_INLINE Pull PullOf(const InteractionConstants& c, const V3& du, const V3& dw
         constexpr std::size_t axis = I / HexahedronPairs::edges_per_axis;
         const hn::Rebind<float, D> df;
         const V bound = hn::PromoteTo(d, hn::LoadU(df, limit + axis * Lattice::lanes));
-        sums.exceeded[axis] = hn::Or(sums.exceeded[axis], hn::Gt(e.extension, bound));
+        sums.exceeded[I] = Bits(hn::Gt(e.extension, bound));
     }
     return {factor, e.distance};
 }

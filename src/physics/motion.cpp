@@ -42,9 +42,9 @@ void Motion::open(const Lattice& lattice, Slot s, bool advances) {
     const Lattice::VertexRow& vertices = lattice.vertex_rows()[static_cast<std::size_t>(row)];
     const std::int32_t along = vertex_of(s).value() - vertices.first;
     Chunk& opened = chunk(row, plane_of(s));
-    // Batches load a vertex as the lower end of one cell and as the upper end of the cell before.
-    const std::int32_t begin = whole_groups_down(std::max(along - 1, 0));
-    const std::int32_t end = std::min(whole_groups_down(along) + lanes, vertices.length);
+    // All vectors that have the vertex as one of their lanes.
+    const std::int32_t begin = whole_groups_down(std::max(along - (lanes - 1), 0));
+    const std::int32_t end = std::min(whole_groups_down(along + lanes - 1) + lanes, vertices.length);
     if (!opened.covers(begin, end)) {
         // Twice as long at least: a crack that runs along the row copies each union once or twice.
         const std::int32_t from = opened.length == 0 ? begin : std::min(begin, opened.begin);
@@ -55,11 +55,16 @@ void Motion::open(const Lattice& lattice, Slot s, bool advances) {
         const std::int32_t last = upward ? std::min(vertices.length, to + more) : to;
         extend(opened, first, last, plane_of(s) == base_plane ? base_stride_ : stride_for(last - first));
     }
-    opened.advances = opened.advances || advances;
+    if (advances) {
+        opened.advances = true;
+        opened.group_advances[static_cast<std::size_t>((along - opened.begin) / lanes)] = 1;
+    }
 }
 
 void Motion::extend(Chunk& chunk, std::int32_t begin, std::int32_t end, std::size_t stride) const {
-    Chunk longer{begin, end - begin, stride, chunk.advances, {}};
+    Chunk longer{begin, end - begin, stride, chunk.advances, {}, {}};
+    longer.group_advances.resize(static_cast<std::size_t>(longer.length / lanes), 0);
+    std::ranges::copy(chunk.group_advances, longer.group_advances.begin() + (chunk.length > 0 ? (chunk.begin - begin) / lanes : 0));
     // The last lanes of a part load one value beyond its last component.
     longer.values.resize(components_ * longer.stride + static_cast<std::size_t>(lanes));
     for (std::size_t component = 0; chunk.length > 0 && component < components_; ++component) {
@@ -106,7 +111,7 @@ void Motion::clear(const Lattice& lattice, Slot s) {
 std::size_t Motion::memory_bytes() const {
     std::size_t bytes = chunks_.capacity() * sizeof(Chunk);
     for (const Chunk& c : chunks_) {
-        bytes += c.values.capacity() * sizeof(double);
+        bytes += c.values.capacity() * sizeof(double) + c.group_advances.capacity();
     }
     return bytes;
 }

@@ -52,6 +52,7 @@ struct Chunk {
     std::int32_t length{0};
     std::size_t stride{0};  ///< from one component to the next
     bool advances{false};   ///< holds unions that this rank advances, not received masses only
+    std::vector<std::uint8_t> group_advances;  ///< the same for each group of lanes
     std::vector<double, LineAllocator<double>> values;
 
     [[nodiscard]] bool covers(std::int32_t first, std::int32_t end) const {

@@ -45,27 +45,25 @@ bool triggers(const Network& network, const State& state, LocalDuplet d) {
     return elongation > threshold(network, d) * rest;
 }
 
-/// Calls action(duplet) for the active duplets whose sensors reach over an edge that e carries along an axis: at both ends of each of
-/// its merged copies, over the face that is normal to it.
-void for_each_sensor(const Network& network, const State& state, LocalEntity e, int axis, auto&& action) {
-    constexpr int edges = HexahedronPairs::edges_per_axis;
-    for (int edge = axis * edges; edge < (axis + 1) * edges; ++edge) {
-        if (state.merging.weight(state.unions, e, edge) == 0) {
-            continue;
-        }
-        const int lower = HexahedronPairs::corners[static_cast<std::size_t>(edge)][0];
-        const int upper = HexahedronPairs::corners[static_cast<std::size_t>(edge)][1];
-        const EdgeCopies copies = edge_copies(state.unions, state.lattice().vertex(local_mass(e, lower)), axis);
-        const EdgeCopy here{e, edge, state.unions.label(local_mass(e, lower)), state.unions.label(local_mass(e, upper))};
-        for (std::size_t i = 0; i < copies.count; ++i) {
-            const EdgeCopy& copy = copies.copy[i];
-            for (std::size_t end = 0; end < 2 && EdgeCopies::merged(copy, here); ++end) {
-                const LocalMass m =
-                    local_mass(copy.entity, HexahedronPairs::corners[static_cast<std::size_t>(copy.edge)][end]);
-                const auto duplet = network.duplet_over(m, 2 * axis + static_cast<int>(end));
-                if (duplet && state.sensing.is_active(*duplet)) {
-                    action(*duplet);
-                }
+/// Calls action(duplet) for the active duplets whose sensors reach over an edge that e carries: at both ends of each of its merged
+/// copies, over the face that is normal to it.
+void for_each_sensor(const Network& network, const State& state, LocalEntity e, int edge, auto&& action) {
+    if (state.merging.weight(state.unions, e, edge) == 0) {
+        return;
+    }
+    const int axis = edge / HexahedronPairs::edges_per_axis;
+    const int lower = HexahedronPairs::corners[static_cast<std::size_t>(edge)][0];
+    const int upper = HexahedronPairs::corners[static_cast<std::size_t>(edge)][1];
+    const EdgeCopies copies = edge_copies(state.unions, state.lattice().vertex(local_mass(e, lower)), axis);
+    const EdgeCopy here{e, edge, state.unions.label(local_mass(e, lower)), state.unions.label(local_mass(e, upper))};
+    for (std::size_t i = 0; i < copies.count; ++i) {
+        const EdgeCopy& copy = copies.copy[i];
+        for (std::size_t end = 0; end < 2 && EdgeCopies::merged(copy, here); ++end) {
+            const LocalMass m =
+                local_mass(copy.entity, HexahedronPairs::corners[static_cast<std::size_t>(copy.edge)][end]);
+            const auto duplet = network.duplet_over(m, 2 * axis + static_cast<int>(end));
+            if (duplet && state.sensing.is_active(*duplet)) {
+                action(*duplet);
             }
         }
     }
@@ -84,15 +82,21 @@ std::vector<LocalDuplet> sense_all(const Network& network, const State& state) {
 
 std::vector<LocalDuplet> sense_exceeded(const Network& network, const State& state) {
     std::vector<LocalDuplet> found;
-    for (std::size_t place = 0; place < state.sensing.exceeded.size(); ++place) {
-        for (unsigned bits = state.sensing.exceeded[place]; bits != 0; bits &= bits - 1) {
-            const std::size_t site = place / 3 * Lattice::lanes + static_cast<std::size_t>(std::countr_zero(bits));
-            const LocalEntity e = state.lattice().entity(Site{static_cast<std::int32_t>(site)});
-            for_each_sensor(network, state, e, static_cast<int>(place % 3), [&](LocalDuplet d) {
-                if (triggers(network, state, d)) {
-                    found.push_back(d);
-                }
-            });
+    for (std::size_t batch = 0; batch < state.sensing.exceeded.size(); ++batch) {
+        const Exceeded& exceeded = state.sensing.exceeded[batch];
+        if (exceeded == Exceeded{}) {
+            continue;
+        }
+        for (int edge = 0; edge < HexahedronPairs::edges; ++edge) {
+            for (unsigned bits = exceeded.edge[static_cast<std::size_t>(edge)]; bits != 0; bits &= bits - 1) {
+                const std::size_t site = batch * Lattice::lanes + static_cast<std::size_t>(std::countr_zero(bits));
+                const LocalEntity e = state.lattice().entity(Site{static_cast<std::int32_t>(site)});
+                for_each_sensor(network, state, e, edge, [&](LocalDuplet d) {
+                    if (triggers(network, state, d)) {
+                        found.push_back(d);
+                    }
+                });
+            }
         }
     }
     std::ranges::sort(found);
@@ -119,8 +123,9 @@ void set_sensing_limits(const Network& network, LocalEntity e, State& state) {
     const std::size_t site = state.lattice().site(e).index();
     for (int axis = 0; axis < 3; ++axis) {
         double lowest = std::numeric_limits<double>::infinity();
-        for_each_sensor(network, state, e, axis,
-                        [&](LocalDuplet d) { lowest = std::min(lowest, threshold(network, d)); });
+        for (int edge = axis * HexahedronPairs::edges_per_axis; edge < (axis + 1) * HexahedronPairs::edges_per_axis; ++edge) {
+            for_each_sensor(network, state, e, edge, [&](LocalDuplet d) { lowest = std::min(lowest, threshold(network, d)); });
+        }
         state.sensing.limit[(site / Lattice::lanes * 3 + static_cast<std::size_t>(axis)) * Lattice::lanes + site % Lattice::lanes] =
             extension_limit(lowest);
     }

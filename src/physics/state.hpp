@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "physics/force_sweep_view.hpp"
 #include "physics/merging.hpp"
 #include "physics/motion.hpp"
 #include "physics/network.hpp"
@@ -21,7 +22,7 @@ struct Sensing {
     /// [batch][axis][lane]: no sensor on an edge along the axis that the entity carries can trigger while none of them is stretched
     /// beyond this (|d|^2/L0^2 - 1).
     std::vector<float> limit;
-    std::vector<std::uint8_t> exceeded;  ///< [batch][axis], a bit a lane; written by the sweep
+    std::vector<Exceeded> exceeded;  ///< [batch]; written by the sweep
 
     [[nodiscard]] bool is_active(LocalDuplet d) const {
         return ((static_cast<unsigned>(active[d.index() / Network::duplets_per_interface]) >>
