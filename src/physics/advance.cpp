@@ -4,6 +4,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/contracts.hpp"
@@ -11,21 +12,17 @@
 #include "physics/advance_view.hpp"
 #include "physics/sensors.hpp"
 #include "physics/supports.hpp"
+#include "physics/vectors-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::CappedTag<double, Lattice::lanes>;
-using V = hn::Vec<D>;
-
 HWY_INLINE V NextIncrement(V increment, V mobility, V force) { return hn::MulAdd(mobility, force, increment); }
 
 template <bool kExtrapolate>
-HWY_INLINE void AdvanceLanes(const AdvanceView& v, std::size_t at, hn::Mask<D>& sane) {
+HWY_INLINE void AdvanceLanes(double* first, std::size_t stride, V limit, hn::Mask<D>& sane) {
     const D d;
-    const V limit = hn::Set(d, v.longest_increment);
-    const auto component = [&](std::size_t quantity) { return v.chunk + quantity * v.stride + at; };
+    const auto component = [&](std::size_t quantity) { return first + quantity * stride; };
     const V mobility = hn::Load(d, component(Quantity::mobility));
     for (std::size_t i = 0; i < 3; ++i) {
         double* increment = component(Quantity::increment + i);
@@ -47,10 +44,14 @@ HWY_INLINE void AdvanceLanes(const AdvanceView& v, std::size_t at, hn::Mask<D>& 
 template <bool kExtrapolate>
 void AdvanceAll(AdvanceView& v) {
     const D d;
+    const V limit = hn::Set(d, v.longest_increment);
     auto sane = hn::Eq(hn::Zero(d), hn::Zero(d));
-    for (std::size_t group = 0; group < v.groups; ++group) {
-        for (std::size_t lane = 0; v.group_advances[group] != 0 && lane < Lattice::lanes; lane += hn::Lanes(d)) {
-            AdvanceLanes<kExtrapolate>(v, group * Lattice::lanes + lane, sane);
+    for (std::size_t at = 0; at < v.length; at += hn::Lanes(d)) {
+        AdvanceLanes<kExtrapolate>(v.base + at, v.base_stride, limit, sane);
+    }
+    for (double* const block : v.blocks) {
+        for (std::size_t lane = 0; lane < Lattice::lanes; lane += hn::Lanes(d)) {
+            AdvanceLanes<kExtrapolate>(block + lane, Motion::block_stride, limit, sane);
         }
     }
     v.broken = v.broken || !hn::AllTrue(d, sane);
@@ -148,16 +149,14 @@ public:
 
     void advance_row(std::size_t row) {
         remember(row);
-        const auto index = static_cast<std::int32_t>(row);
-        for (int plane = 0; plane < planes; ++plane) {
-            Chunk& chunk = state_->motion.chunk(index, plane);
-            if (chunk.advances) {
-                AdvanceView view{chunk.values.data(), chunk.stride, chunk.group_advances.size(),
-                                 chunk.group_advances.data(), state_->scheme == Scheme::ab2, longest_, broken_};
-                HWY_DYNAMIC_DISPATCH(Advance)(view);
-                broken_ = view.broken;
-            }
-        }
+        const Lattice::VertexRow& vertices = state_->lattice().vertex_rows()[row];
+        const auto first = static_cast<std::size_t>(vertices.first);
+        const auto length = static_cast<std::size_t>(vertices.length);
+        find_blocks(first / Lattice::lanes, length / Lattice::lanes);
+        Motion& motion = state_->motion;
+        AdvanceView view{motion.base() + first, motion.base_stride(), length, blocks_, state_->scheme == Scheme::ab2, longest_, broken_};
+        HWY_DYNAMIC_DISPATCH(Advance)(view);
+        broken_ = view.broken;
         put_right(row);
     }
 
@@ -165,6 +164,15 @@ public:
     [[nodiscard]] bool broken() const { return broken_; }
 
 private:
+    void find_blocks(std::size_t first_group, std::size_t groups) {
+        blocks_.clear();
+        for (std::size_t group = first_group; group < first_group + groups; ++group) {
+            for (unsigned bits = state_->motion.planes_in_use()[group]; bits != 0; bits &= bits - 1) {
+                blocks_.push_back(state_->motion.block(group, std::countr_zero(bits)));
+            }
+        }
+    }
+
     void remember(std::size_t row) {
         before_.clear();
         const auto keep = [&](Slot s) { before_.push_back({state_->displacement(s), state_->increment(s)}); };
@@ -193,6 +201,7 @@ private:
     std::span<const Vec3> received_;
     double longest_;
     bool broken_{false};
+    std::vector<double*> blocks_;
     std::vector<Before> before_;
 };
 

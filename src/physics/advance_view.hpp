@@ -1,16 +1,16 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
+#include <span>
 
 namespace cracksim::physics {
 
-/// A chunk (motion.hpp) for one advance.
+/// A row of vertices for one advance: the base plane, and the blocks of its other planes (motion.hpp).
 struct AdvanceView {
-    double* chunk;
-    std::size_t stride;
-    std::size_t groups;                   ///< of lanes
-    const std::uint8_t* group_advances;   ///< whether it is to be advanced, by group
+    double* base;
+    std::size_t base_stride;
+    std::size_t length;
+    std::span<double* const> blocks;
     bool extrapolates;
     double longest_increment;  ///< m; beyond it a motion makes no sense
     bool broken;               ///< out: some increment is beyond it or not a number

@@ -39,12 +39,9 @@ struct InteractionConstants {
     double half_energy;             ///< k L0^2/2, J
 };
 
-/// What the sweep of a row needs of its four vertex rows: the chunks of their planes, [side][plane], from the row's first vertex on;
-/// null where a plane holds no union.
+/// A row of cells: its batches, and the vertices of its first cell's lower corners.
 struct RowView {
-    double* chunk[Lattice::sides][planes];
-    std::size_t stride[Lattice::sides][planes];
-    std::size_t offset[Lattice::sides];
+    std::size_t vertex[Lattice::sides];
     std::size_t first_batch;
     std::size_t batches;
 };
@@ -52,6 +49,11 @@ struct RowView {
 /// Plain pointers into network and state, the same for all rows.
 struct SweepView {
     std::array<InteractionConstants, HexahedronPairs::count> interaction;
+    double* base;  ///< the motion (motion.hpp)
+    std::size_t base_stride;
+    double* blocks;
+    std::size_t block_size;
+    const std::int32_t* block_of;  ///< [group of vertices][plane]
     std::size_t velocity_quantity;
     const std::uint8_t* planes;       ///< [batch][corner]
     const std::uint8_t* lane_planes;  ///< [batch][corner][lane]

@@ -8,28 +8,16 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
 #include "physics/force_sweep_view.hpp"
+#include "physics/vectors-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::CappedTag<double, Lattice::lanes>;
-using V = hn::Vec<D>;
-
-struct V3 {
-    V x, y, z;
-};
-
-HWY_INLINE V3 Sub(const V3& a, const V3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
-HWY_INLINE V Dot(const V3& a, const V3& b) { return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x))); }
-
-HWY_INLINE unsigned Bits(hn::Mask<D> mask) {
-    const D d;
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, mask, bits);
-    return bits[0];
-}
 
 /// Over the interactions of the entities: sums, and what decides about sensing and about the range of the series.
 struct Outcome {
@@ -158,6 +146,102 @@ HWY_INLINE V3 Minus(const Pull& pull, const V3& sum) {
     return {hn::NegMulAdd(pull.factor, pull.distance.x, sum.x), hn::NegMulAdd(pull.factor, pull.distance.y, sum.y),
             hn::NegMulAdd(pull.factor, pull.distance.z, sum.z)};
 }
+
+HWY_INLINE Outcome Nothing() {
+    const D d;
+    const V zero = hn::Zero(d);
+    return {zero, zero, zero, {}};
+}
+
+HWY_INLINE V Weight(const std::uint8_t* weights, std::size_t interaction) {
+    const D d;
+    const hn::Rebind<std::uint8_t, D> d8;
+    const hn::Rebind<std::int32_t, D> d32;
+    return hn::PromoteTo(d, hn::PromoteTo(d32, hn::LoadU(d8, weights + interaction * Lattice::lanes)));
+}
+
+HWY_INLINE bool IsFar(const Outcome& outcome) {
+    const D d;
+    return HWY_UNLIKELY(!hn::AllTrue(d, hn::Le(outcome.farthest, hn::Set(d, Series::reach))));
+}
+
+/// What the sweep of a row adds up over its batches.
+struct RowSums {
+    V dissipated;
+    V elastic;
+};
+
+template <bool kMeasure>
+HWY_INLINE void Collect(const Outcome& outcome, const std::uint8_t* weights, std::size_t lane, Exceeded& exceeded,
+                        RowSums& sums) {
+    const V owned = Weight(weights, HexahedronPairs::count);
+    sums.dissipated = hn::MulAdd(owned, outcome.dissipated, sums.dissipated);
+    if constexpr (kMeasure) {
+        sums.elastic = hn::MulAdd(owned, outcome.elastic, sums.elastic);
+    }
+    for (std::size_t edge = 0; edge < HexahedronPairs::edges; ++edge) {
+        exceeded.edge[edge] = static_cast<std::uint8_t>(exceeded.edge[edge] | outcome.exceeded[edge] << lane);
+    }
+}
+
+/// Forces summed so far, by corner.
+struct Forces {
+    V3 f[Hexahedron::corners];
+};
+
+/// Where the motions of some entities' corners are: displacements and what damping takes for their increments.
+struct Corners {
+    const double* u[Hexahedron::corners];
+    const double* w[Hexahedron::corners];
+    std::size_t stride[Hexahedron::corners];
+
+    template <std::size_t C>
+    HWY_INLINE V3 Displacement() const {
+        return Load3(u[C], stride[C]);
+    }
+    template <std::size_t C>
+    HWY_INLINE V3 VelocityIncrement() const {
+        return Load3(w[C], stride[C]);
+    }
+};
+
+template <std::size_t I, bool kFar, bool kMeasure, class From>
+HWY_INLINE void AddInteraction(const SweepView& v, const From& from, V weight, const float* limits, Forces& forces, Outcome& outcome) {
+    constexpr auto a = static_cast<std::size_t>(HexahedronPairs::corners[I][0]);
+    constexpr auto b = static_cast<std::size_t>(HexahedronPairs::corners[I][1]);
+    const V3 du = Sub(from.template Displacement<b>(), from.template Displacement<a>());
+    const V3 dw = Sub(from.template VelocityIncrement<b>(), from.template VelocityIncrement<a>());
+    const Pull pull = PullOf<I, false, kFar, kMeasure>(v.interaction[I], du, dw, weight, limits, outcome);
+    forces.f[a] = Plus(pull, forces.f[a]);
+    forces.f[b] = Minus(pull, forces.f[b]);
+}
+
+/// What is carried of all 16 interactions, onto forces of zero.
+template <bool kFar, bool kMeasure, class From>
+HWY_INLINE void AddCarried(const SweepView& v, unsigned carried, const From& from, const std::uint8_t* weights, const float* limits,
+                           Forces& forces, Outcome& outcome) {
+    std::fill(std::begin(forces.f), std::end(forces.f), Zero3());
+    outcome = Nothing();
+    const auto add = [&]<std::size_t... I>(std::index_sequence<I...>) {
+        const auto add_one = [&](auto i) {
+            if ((carried >> i & 1U) != 0) {
+                AddInteraction<i, kFar, kMeasure>(v, from, Weight(weights, i), limits, forces, outcome);
+            }
+        };
+        (add_one(std::integral_constant<std::size_t, I>{}), ...);
+    };
+    add(std::make_index_sequence<HexahedronPairs::count>{});
+}
+
+/// In case of large stretches, the same with what holds everywhere.
+template <bool kMeasure, class From>
+HWY_NOINLINE void AddFar(const SweepView& v, unsigned carried, const From& from, const std::uint8_t* weights, const float* limits,
+                         Forces& forces, Outcome& outcome) {
+    AddCarried<true, kMeasure>(v, carried, from, weights, limits, forces, outcome);
+}
+
+/// The lower and the upper corner along x on each side of an entity.
+constexpr std::array<std::array<int, 2>, Lattice::sides> corners_of_side{{{0, 1}, {3, 2}, {4, 5}, {7, 6}}};
 
 }  // namespace cracksim::physics::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

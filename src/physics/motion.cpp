@@ -1,6 +1,7 @@
 #include "physics/motion.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "core/contracts.hpp"
 
@@ -8,112 +9,99 @@ namespace cracksim::physics {
 
 namespace {
 
-constexpr std::int32_t lanes = Lattice::lanes;
+constexpr std::size_t lanes = Lattice::lanes;
 
-std::int32_t whole_groups_down(std::int32_t at) { return at / lanes * lanes; }
-
-/// An odd number of cache lines: the components of long rows then fall on different sets of the cache.
-std::size_t stride_for(std::int32_t length) {
-    const auto lines = static_cast<std::size_t>(length / lanes);
-    return (lines | 1U) * static_cast<std::size_t>(lanes);
+/// In whole cache lines, and so that the components of a vertex fall on different sets of the cache.
+std::size_t stride_for(std::size_t sites) {
+    constexpr std::size_t lines_of_page = 64;
+    constexpr std::size_t apart = 11;
+    const std::size_t lines = sites / lanes + 1;
+    return ((lines + lines_of_page - 1 - apart) / lines_of_page * lines_of_page + apart) * lanes;
 }
 
 }  // namespace
 
 Motion::Motion(const Lattice& lattice, bool extrapolates)
     : components_{Quantity::mobility + 1 + (extrapolates ? 3U : 0U)},
-      base_stride_{0},
-      chunks_(lattice.vertex_rows().size() * planes) {
-    for (const Lattice::VertexRow& row : lattice.vertex_rows()) {
-        base_stride_ = std::max(base_stride_, stride_for(row.length));
+      base_stride_{stride_for(lattice.vertex_sites())},
+      base_(components_ * base_stride_, 0.0),
+      blocks_(2 * guard, 0.0),
+      block_of_(lattice.vertex_sites() / lanes * planes, -1),
+      planes_in_use_(lattice.vertex_sites() / lanes, 0) {}
+
+void Motion::open(Slot s) {
+    const std::size_t group = vertex_of(s).index() / lanes;
+    const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(plane_of(s)));
+    if (plane_of(s) == base_plane || (planes_in_use_[group] & bit) != 0) {
+        return;
     }
-}
-
-Motion::Place Motion::find(const Lattice& lattice, Slot s) const {
-    const std::int32_t row = lattice.vertex_row(vertex_of(s));
-    const std::int32_t along = vertex_of(s).value() - lattice.vertex_rows()[static_cast<std::size_t>(row)].first;
-    const std::size_t index = place(row, plane_of(s));
-    CRACKSIM_EXPECT(chunks_[index].covers(along, along + 1));
-    return {index, static_cast<std::size_t>(along - chunks_[index].begin)};
-}
-
-void Motion::open(const Lattice& lattice, Slot s, bool advances) {
-    const std::int32_t row = lattice.vertex_row(vertex_of(s));
-    const Lattice::VertexRow& vertices = lattice.vertex_rows()[static_cast<std::size_t>(row)];
-    const std::int32_t along = vertex_of(s).value() - vertices.first;
-    Chunk& opened = chunk(row, plane_of(s));
-    // All vectors that have the vertex as one of their lanes.
-    const std::int32_t begin = whole_groups_down(std::max(along - (lanes - 1), 0));
-    const std::int32_t end = std::min(whole_groups_down(along + lanes - 1) + lanes, vertices.length);
-    if (!opened.covers(begin, end)) {
-        // Twice as long at least: a crack that runs along the row copies each union once or twice.
-        const std::int32_t from = opened.length == 0 ? begin : std::min(begin, opened.begin);
-        const std::int32_t to = opened.length == 0 ? end : std::max(end, opened.begin + opened.length);
-        const std::int32_t more = opened.length == 0 ? 0 : std::max(0, 2 * opened.length - (to - from));
-        const bool upward = opened.length == 0 || end > opened.begin + opened.length;
-        const std::int32_t first = upward ? from : std::max(0, whole_groups_down(from - more));
-        const std::int32_t last = upward ? std::min(vertices.length, to + more) : to;
-        extend(opened, first, last, plane_of(s) == base_plane ? base_stride_ : stride_for(last - first));
+    if (2 * guard + (block_count_ + 1) * block_size() > blocks_.size()) {
+        make_room();
     }
-    if (advances) {
-        opened.advances = true;
-        opened.group_advances[static_cast<std::size_t>((along - opened.begin) / lanes)] = 1;
+    block_of_[entry(group, plane_of(s))] = static_cast<std::int32_t>(block_count_++);
+    planes_in_use_[group] |= bit;
+}
+
+/// Half as many blocks again, and all of them in the order in which the sweep meets them.
+void Motion::make_room() {
+    LineVector wider(2 * guard + (block_count_ + block_count_ / 2 + lanes) * block_size(), 0.0);
+    double* to = wider.data() + guard;
+    std::int32_t next = 0;
+    for (std::size_t group = 0; group < planes_in_use_.size(); ++group) {
+        for (unsigned bits = planes_in_use_[group]; bits != 0; bits &= bits - 1) {
+            std::int32_t& index = block_of_[entry(group, std::countr_zero(bits))];
+            to = std::copy_n(blocks() + static_cast<std::size_t>(index) * block_size(), block_size(), to);
+            index = next++;
+        }
     }
+    blocks_ = std::move(wider);
 }
 
-void Motion::extend(Chunk& chunk, std::int32_t begin, std::int32_t end, std::size_t stride) const {
-    Chunk longer{begin, end - begin, stride, chunk.advances, {}, {}};
-    longer.group_advances.resize(static_cast<std::size_t>(longer.length / lanes), 0);
-    std::ranges::copy(chunk.group_advances, longer.group_advances.begin() + (chunk.length > 0 ? (chunk.begin - begin) / lanes : 0));
-    // The last lanes of a part load one value beyond its last component.
-    longer.values.resize(components_ * longer.stride + static_cast<std::size_t>(lanes));
-    for (std::size_t component = 0; chunk.length > 0 && component < components_; ++component) {
-        std::copy_n(chunk.values.data() + component * chunk.stride, chunk.length,
-                    longer.row_start() + component * longer.stride + chunk.begin);
+Motion::Place<const double> Motion::place(Slot s) const {
+    const std::size_t v = vertex_of(s).index();
+    if (plane_of(s) == base_plane) {
+        return {base_.data() + v, base_stride_};
     }
-    chunk = std::move(longer);
+    const std::int32_t index = block_of_[entry(v / lanes, plane_of(s))];
+    CRACKSIM_EXPECT(index >= 0);
+    return {blocks_.data() + guard + static_cast<std::size_t>(index) * block_size() + v % lanes, block_stride};
 }
 
-Vec3 Motion::get(const Lattice& lattice, Slot s, std::size_t quantity) const {
-    const auto [index, at] = find(lattice, s);
-    const Chunk& c = chunks_[index];
-    const double* first = c.values.data() + quantity * c.stride + at;
-    return {first[0], first[c.stride], first[2 * c.stride]};
+Motion::Place<double> Motion::place(Slot s) {
+    const Place<const double> found = std::as_const(*this).place(s);
+    return {const_cast<double*>(found.first), found.stride};
 }
 
-void Motion::set(const Lattice& lattice, Slot s, std::size_t quantity, Vec3 value) {
+Vec3 Motion::get(Slot s, std::size_t quantity) const {
+    const Place<const double> p = place(s);
+    return {*p.at(quantity), *p.at(quantity + 1), *p.at(quantity + 2)};
+}
+
+void Motion::set(Slot s, std::size_t quantity, Vec3 value) {
     CRACKSIM_EXPECT(quantity + 3 <= components_);
-    const auto [index, at] = find(lattice, s);
-    Chunk& c = chunks_[index];
-    double* first = c.values.data() + quantity * c.stride + at;
-    first[0] = value.x;
-    first[c.stride] = value.y;
-    first[2 * c.stride] = value.z;
+    const Place<double> p = place(s);
+    *p.at(quantity) = value.x;
+    *p.at(quantity + 1) = value.y;
+    *p.at(quantity + 2) = value.z;
 }
 
-double& Motion::mobility(const Lattice& lattice, Slot s) {
-    const auto [index, at] = find(lattice, s);
-    return chunks_[index].values[Quantity::mobility * chunks_[index].stride + at];
-}
-
-double Motion::mobility(const Lattice& lattice, Slot s) const {
-    const auto [index, at] = find(lattice, s);
-    return chunks_[index].values[Quantity::mobility * chunks_[index].stride + at];
-}
-
-void Motion::clear(const Lattice& lattice, Slot s) {
-    const auto [index, at] = find(lattice, s);
+void Motion::clear(Slot s) {
+    const Place<double> p = place(s);
     for (std::size_t component = 0; component < components_; ++component) {
-        chunks_[index].values[component * chunks_[index].stride + at] = 0;
+        *p.at(component) = 0;
+    }
+}
+
+void Motion::clear_forces() {
+    std::fill_n(base_.data() + Quantity::force * base_stride_, 3 * base_stride_, 0.0);
+    for (std::size_t i = 0; i < block_count_; ++i) {
+        std::fill_n(blocks() + i * block_size() + Quantity::force * block_stride, 3 * block_stride, 0.0);
     }
 }
 
 std::size_t Motion::memory_bytes() const {
-    std::size_t bytes = chunks_.capacity() * sizeof(Chunk);
-    for (const Chunk& c : chunks_) {
-        bytes += c.values.capacity() * sizeof(double) + c.group_advances.capacity();
-    }
-    return bytes;
+    return (base_.capacity() + blocks_.capacity()) * sizeof(double) + block_of_.capacity() * sizeof(std::int32_t) +
+           planes_in_use_.capacity();
 }
 
 }  // namespace cracksim::physics

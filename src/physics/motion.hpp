@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include "core/vec3.hpp"
@@ -45,58 +46,69 @@ struct LineAllocator {
     friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
 };
 
-/// The motion of the unions in one plane of a row, component after component, along a part of the row: whole groups of lanes that
-/// the unions in it lie in, and their upper neighbours.
-struct Chunk {
-    std::int32_t begin{0};  ///< of the part, a multiple of the lanes
-    std::int32_t length{0};
-    std::size_t stride{0};  ///< from one component to the next
-    bool advances{false};   ///< holds unions that this rank advances, not received masses only
-    std::vector<std::uint8_t> group_advances;  ///< the same for each group of lanes
-    std::vector<double, LineAllocator<double>> values;
+using LineVector = std::vector<double, LineAllocator<double>>;
 
-    [[nodiscard]] bool covers(std::int32_t first, std::int32_t end) const {
-        return length > 0 && begin <= first && end <= begin + length;
-    }
-    /// Where the first component of the row's first vertex would be; null if there is no union.
-    [[nodiscard]] double* row_start() { return length == 0 ? nullptr : values.data() - begin; }
-    [[nodiscard]] const double* row_start() const { return length == 0 ? nullptr : values.data() - begin; }
-};
-
-/// The motion of all unions of this rank. A plane takes memory where unions fell apart only.
+/// The motion of all unions of this rank. The base plane has a place for each vertex, component after component. Of the other planes
+/// there are blocks for the groups of vertices in which unions fell apart: of a group's lanes, component after component.
 class Motion {
 public:
+    /// From one component to the next in a block.
+    static constexpr std::size_t block_stride = Lattice::lanes;
+
     Motion(const Lattice& lattice, bool extrapolates);
 
-    [[nodiscard]] Chunk& chunk(std::int32_t row, int plane) { return chunks_[place(row, plane)]; }
-    [[nodiscard]] const Chunk& chunk(std::int32_t row, int plane) const { return chunks_[place(row, plane)]; }
-
-    /// Makes sure that a slot has memory; what is new is zero. advances: a union that this rank advances.
-    void open(const Lattice& lattice, Slot s, bool advances);
-    [[nodiscard]] Vec3 get(const Lattice& lattice, Slot s, std::size_t quantity) const;
-    void set(const Lattice& lattice, Slot s, std::size_t quantity, Vec3 value);
-    [[nodiscard]] double& mobility(const Lattice& lattice, Slot s);
-    [[nodiscard]] double mobility(const Lattice& lattice, Slot s) const;
+    /// Makes sure that a slot has memory; what is new is zero. Moves the blocks.
+    void open(Slot s);
+    [[nodiscard]] Vec3 get(Slot s, std::size_t quantity) const;
+    void set(Slot s, std::size_t quantity, Vec3 value);
+    [[nodiscard]] double& mobility(Slot s) { return *place(s).at(Quantity::mobility); }
+    [[nodiscard]] double mobility(Slot s) const { return *place(s).at(Quantity::mobility); }
     /// All components of a slot to zero.
-    void clear(const Lattice& lattice, Slot s);
+    void clear(Slot s);
+    /// The forces of all slots to zero.
+    void clear_forces();
+
+    /// The first component at the first vertex.
+    [[nodiscard]] double* base() { return base_.data(); }
+    [[nodiscard]] std::size_t base_stride() const { return base_stride_; }
+    /// A vector that has one of its lanes in a block may be read and written whole: what is before and after is memory, too.
+    [[nodiscard]] double* blocks() { return blocks_.data() + guard; }
+    [[nodiscard]] std::size_t block_size() const { return components_ * block_stride; }
+    /// [group of vertices][plane]: which block that is, -1 if there is none.
+    [[nodiscard]] const std::int32_t* block_of() const { return block_of_.data(); }
+    /// [group of vertices]: bit p is set where plane p has a block.
+    [[nodiscard]] const std::vector<std::uint8_t>& planes_in_use() const { return planes_in_use_; }
+    [[nodiscard]] double* block(std::size_t group, int plane) {
+        return blocks() + static_cast<std::size_t>(block_of_[entry(group, plane)]) * block_size();
+    }
 
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
-    [[nodiscard]] static std::size_t place(std::int32_t row, int plane) {
-        return static_cast<std::size_t>(row) * planes + static_cast<std::size_t>(plane);
-    }
-    /// A chunk and the place of a slot's first component in it.
+    static constexpr std::size_t guard = Lattice::lanes;
+
+    template <class T>
     struct Place {
-        std::size_t chunk;
-        std::size_t at;
+        T* first;
+        std::size_t stride;
+
+        [[nodiscard]] T* at(std::size_t component) const { return first + component * stride; }
     };
-    [[nodiscard]] Place find(const Lattice& lattice, Slot s) const;
-    void extend(Chunk& chunk, std::int32_t begin, std::int32_t end, std::size_t stride) const;
+
+    [[nodiscard]] static std::size_t entry(std::size_t group, int plane) {
+        return group * planes + static_cast<std::size_t>(plane);
+    }
+    [[nodiscard]] Place<const double> place(Slot s) const;
+    [[nodiscard]] Place<double> place(Slot s);
+    void make_room();
 
     std::size_t components_;
-    std::size_t base_stride_;  ///< the same in all rows
-    std::vector<Chunk> chunks_;
+    std::size_t base_stride_;
+    LineVector base_;
+    LineVector blocks_;
+    std::size_t block_count_{0};
+    std::vector<std::int32_t> block_of_;
+    std::vector<std::uint8_t> planes_in_use_;
 };
 
 }  // namespace cracksim::physics

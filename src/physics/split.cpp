@@ -63,12 +63,12 @@ Inheritance leave(State& state, Slot s) {
     if (const auto found = state.held_of_slot.find(s); found != state.held_of_slot.end()) {
         left.held = state.held[found->second];
     }
-    state.motion.clear(state.lattice(), s);
+    state.motion.clear(s);
     return left;
 }
 
 void inherit(const Network& network, State& state, Slot s, const Inheritance& left) {
-    state.motion.open(state.lattice(), s, true);
+    state.motion.open(s);
     state.set_displacement(s, left.displacement);
     state.set_increment(s, left.increment);
     state.set_velocity_increment(s, left.velocity_increment);

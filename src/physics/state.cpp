@@ -40,14 +40,12 @@ State::State(const Network& network, Scheme chosen, double dt)
       sensing{all_active(network, unions.lattice())},
       held_in_row(lattice().vertex_rows().size()),
       received_in_row(lattice().vertex_rows().size()) {
-    // Whole rows at once: from their ends.
-    const std::vector<Slot> advanced = unions.advanced();
-    for (auto s = advanced.rbegin(); s != advanced.rend(); ++s) {
-        motion.open(lattice(), *s, true);
-        set_mobility(network, *s);
+    for (const Slot s : unions.advanced()) {
+        motion.open(s);
+        set_mobility(network, s);
     }
     for (const LocalMass m : network.received()) {
-        motion.open(lattice(), unions.slot(m), false);
+        motion.open(unions.slot(m));
     }
     for (std::size_t i = 0; i < network.received().size(); ++i) {
         const VertexSite v = lattice().vertex(network.received()[i]);
@@ -64,7 +62,7 @@ State::State(const Network& network, Scheme chosen, double dt)
 void State::set_mobility(const Network& network, Slot s) {
     double mass = 0;
     unions.for_each_mass(s, [&](LocalMass) { mass += network.model().corner_mass; });
-    motion.mobility(lattice(), s) = step_size * step_size / mass;
+    motion.mobility(s) = step_size * step_size / mass;
 }
 
 void State::hold(const Held& union_held) {

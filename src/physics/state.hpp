@@ -74,21 +74,21 @@ struct State {
     [[nodiscard]] const Lattice& lattice() const { return unions.lattice(); }
     [[nodiscard]] double time() const { return static_cast<double>(step) * step_size; }
 
-    [[nodiscard]] Vec3 displacement(Slot s) const { return motion.get(lattice(), s, Quantity::displacement); }
-    [[nodiscard]] Vec3 increment(Slot s) const { return motion.get(lattice(), s, Quantity::increment); }
+    [[nodiscard]] Vec3 displacement(Slot s) const { return motion.get(s, Quantity::displacement); }
+    [[nodiscard]] Vec3 increment(Slot s) const { return motion.get(s, Quantity::increment); }
     /// The sum of the forces on the union's masses, N, of the last sweep.
-    [[nodiscard]] Vec3 force(Slot s) const { return motion.get(lattice(), s, Quantity::force); }
+    [[nodiscard]] Vec3 force(Slot s) const { return motion.get(s, Quantity::force); }
     /// dt^2/M, s^2/kg.
-    [[nodiscard]] double mobility(Slot s) const { return motion.mobility(lattice(), s); }
+    [[nodiscard]] double mobility(Slot s) const { return motion.mobility(s); }
     /// What damping takes for dt v: w, or with ab2 1.5 w(n) - 0.5 w(n-1).
-    [[nodiscard]] Vec3 velocity_increment(Slot s) const { return motion.get(lattice(), s, velocity_quantity()); }
+    [[nodiscard]] Vec3 velocity_increment(Slot s) const { return motion.get(s, velocity_quantity()); }
     [[nodiscard]] std::size_t velocity_quantity() const {
         return scheme == Scheme::ab2 ? Quantity::extrapolated : Quantity::increment;
     }
-    void set_displacement(Slot s, Vec3 u) { motion.set(lattice(), s, Quantity::displacement, u); }
-    void set_increment(Slot s, Vec3 w) { motion.set(lattice(), s, Quantity::increment, w); }
-    void set_force(Slot s, Vec3 f) { motion.set(lattice(), s, Quantity::force, f); }
-    void set_velocity_increment(Slot s, Vec3 w) { motion.set(lattice(), s, velocity_quantity(), w); }
+    void set_displacement(Slot s, Vec3 u) { motion.set(s, Quantity::displacement, u); }
+    void set_increment(Slot s, Vec3 w) { motion.set(s, Quantity::increment, w); }
+    void set_force(Slot s, Vec3 f) { motion.set(s, Quantity::force, f); }
+    void set_velocity_increment(Slot s, Vec3 w) { motion.set(s, velocity_quantity(), w); }
 
     /// dt^2 over the sum of a union's masses.
     void set_mobility(const Network& network, Slot s);

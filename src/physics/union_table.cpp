@@ -114,20 +114,13 @@ bool UnionTable::set_received_label(LocalMass m, std::uint8_t label) {
 
 void UnionTable::update_batch(std::size_t batch, int corner) {
     const std::size_t place = batch * Hexahedron::corners + static_cast<std::size_t>(corner);
-    std::array<int, lanes> plane{};
-    int first = -1;
-    bool uniform = true;
+    std::uint8_t* plane = lane_planes_.data() + place * lanes;
     for (std::size_t lane = 0; lane < lanes; ++lane) {
         const LocalEntity e = lattice_.entity(Site{static_cast<std::int32_t>(batch * lanes + lane)});
-        plane[lane] = e == LocalEntity{} ? -1 : plane_of(slot(local_mass(e, corner)));
-        first = first < 0 ? plane[lane] : first;
-        uniform = uniform && (plane[lane] < 0 || plane[lane] == first);
+        plane[lane] = static_cast<std::uint8_t>(e == LocalEntity{} ? base_plane : plane_of(slot(local_mass(e, corner))));
     }
-    first = first < 0 ? base_plane : first;
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-        lane_planes_[place * lanes + lane] = static_cast<std::uint8_t>(plane[lane] < 0 ? first : plane[lane]);
-    }
-    batch_planes_[place] = uniform ? static_cast<std::uint8_t>(first) : mixed;
+    const bool uniform = std::all_of(plane, plane + lanes, [&](std::uint8_t other) { return other == plane[0]; });
+    batch_planes_[place] = uniform ? plane[0] : mixed;
 }
 
 std::size_t UnionTable::memory_bytes() const {

@@ -50,7 +50,7 @@ public:
 
     /// [batch][corner]: the plane of that corner's motion in all entities of a batch, or mixed.
     [[nodiscard]] const std::uint8_t* batch_planes() const { return batch_planes_.data(); }
-    /// [batch][corner][lane]: the planes of the corners' motions one by one; void lanes have one that is in use in their batch.
+    /// [batch][corner][lane]: the planes of the corners' motions one by one; the base plane for void lanes.
     [[nodiscard]] const std::uint8_t* lane_planes() const { return lane_planes_.data(); }
 
     /// Makes some masses of a touched vertex (ascending) a union of their own; returns its slot.
