@@ -84,27 +84,6 @@ Lattice::Lattice(const Block& block, const IdArray<LocalEntity, EntityId>& entit
     }
 }
 
-VertexSite Lattice::vertex(LocalMass m) const {
-    const std::int32_t s = site(entity_of(m)).value();
-    const CellRow& row = cell_rows_[static_cast<std::size_t>(row_of_batch_[static_cast<std::size_t>(s / lanes)])];
-    return VertexSite{s + row.to_vertex[side(corner_of(m))] + along(corner_of(m))};
-}
-
-LocalMass Lattice::mass_at(VertexSite v, int corner) const {
-    const VertexRow& vertices = vertex_rows_[static_cast<std::size_t>(vertex_row(v))];
-    const std::int32_t index = vertices.cell_row[side(corner)];
-    if (index < 0) {
-        return LocalMass{};
-    }
-    const CellRow& row = cell_rows_[static_cast<std::size_t>(index)];
-    const std::int32_t from_first = v.value() - vertices.first - row.offset[side(corner)] - along(corner);
-    if (from_first < 0 || from_first >= row.batches * lanes) {
-        return LocalMass{};
-    }
-    const LocalEntity e = entity(Site{row.first_batch * lanes + from_first});
-    return e == LocalEntity{} ? LocalMass{} : local_mass(e, corner);
-}
-
 std::size_t Lattice::memory_bytes() const {
     return cell_rows_.capacity() * sizeof(CellRow) + vertex_rows_.capacity() * sizeof(VertexRow) +
            (row_of_batch_.capacity() + row_of_vertices_.capacity()) * sizeof(std::int32_t) + site_.bytes() +

@@ -47,10 +47,27 @@ public:
     [[nodiscard]] Site site(LocalEntity e) const { return site_[e]; }
     /// None on a void place.
     [[nodiscard]] LocalEntity entity(Site s) const { return entity_[s.index()]; }
-    [[nodiscard]] VertexSite vertex(LocalMass m) const;
+    [[nodiscard]] VertexSite vertex(LocalMass m) const {
+        const std::int32_t s = site(entity_of(m)).value();
+        const CellRow& row = cell_rows_[static_cast<std::size_t>(row_of_batch_[static_cast<std::size_t>(s / lanes)])];
+        return VertexSite{s + row.to_vertex[side(corner_of(m))] + along(corner_of(m))};
+    }
     [[nodiscard]] std::int32_t vertex_row(VertexSite v) const { return row_of_vertices_[v.index() / lanes]; }
     /// The mass at a vertex that is the given corner of its entity; none if that entity is not local.
-    [[nodiscard]] LocalMass mass_at(VertexSite v, int corner) const;
+    [[nodiscard]] LocalMass mass_at(VertexSite v, int corner) const {
+        const VertexRow& vertices = vertex_rows_[static_cast<std::size_t>(vertex_row(v))];
+        const std::int32_t index = vertices.cell_row[side(corner)];
+        if (index < 0) {
+            return LocalMass{};
+        }
+        const CellRow& row = cell_rows_[static_cast<std::size_t>(index)];
+        const std::int32_t from_first = v.value() - vertices.first - row.offset[side(corner)] - along(corner);
+        if (from_first < 0 || from_first >= row.batches * lanes) {
+            return LocalMass{};
+        }
+        const LocalEntity e = entity(Site{row.first_batch * lanes + from_first});
+        return e == LocalEntity{} ? LocalMass{} : local_mass(e, corner);
+    }
 
     [[nodiscard]] std::size_t memory_bytes() const;
 

@@ -61,15 +61,6 @@ void Merging::find_full_batches() {
     }
 }
 
-std::size_t Merging::place(const UnionTable& unions, LocalEntity e, std::size_t row) {
-    const std::size_t s = unions.lattice().site(e).index();
-    return s / Lattice::lanes * bytes_per_batch + row * Lattice::lanes + s % Lattice::lanes;
-}
-
-int Merging::weight(const UnionTable& unions, LocalEntity e, int interaction) const {
-    return weight_[place(unions, e, static_cast<std::size_t>(interaction))];
-}
-
 void Merging::set_weight(const UnionTable& unions, LocalEntity e, int interaction, int weight) {
     const auto row = static_cast<std::size_t>(interaction);
     weight_[place(unions, e, row)] = static_cast<std::uint8_t>(weight);

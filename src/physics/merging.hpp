@@ -43,7 +43,9 @@ public:
     Merging(const Network& network, const UnionTable& unions);
 
     /// How many entities' interaction this is that e carries: 0 if another one carries it, or if no union at its ends is advanced here.
-    [[nodiscard]] int weight(const UnionTable& unions, LocalEntity e, int interaction) const;
+    [[nodiscard]] int weight(const UnionTable& unions, LocalEntity e, int interaction) const {
+        return weight_[place(unions, e, static_cast<std::size_t>(interaction))];
+    }
     /// Brings the edges at a vertex up to date with the labels of its masses.
     void update(const UnionTable& unions, VertexSite v);
 
@@ -56,7 +58,10 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const { return weight_.capacity() + carried_.capacity() * sizeof(std::uint32_t); }
 
 private:
-    [[nodiscard]] static std::size_t place(const UnionTable& unions, LocalEntity e, std::size_t row);
+    [[nodiscard]] static std::size_t place(const UnionTable& unions, LocalEntity e, std::size_t row) {
+        const std::size_t s = unions.lattice().site(e).index();
+        return s / Lattice::lanes * bytes_per_batch + row * Lattice::lanes + s % Lattice::lanes;
+    }
     void set_weight(const UnionTable& unions, LocalEntity e, int interaction, int weight);
     void find_full_batches();
     void update_edge(const UnionTable& unions, VertexSite lower, int axis);

@@ -57,26 +57,6 @@ void Motion::make_room() {
     blocks_ = std::move(wider);
 }
 
-Motion::Place<const double> Motion::place(Slot s) const {
-    const std::size_t v = vertex_of(s).index();
-    if (plane_of(s) == base_plane) {
-        return {base_.data() + v, base_stride_};
-    }
-    const std::int32_t index = block_of_[entry(v / lanes, plane_of(s))];
-    CRACKSIM_EXPECT(index >= 0);
-    return {blocks_.data() + guard + static_cast<std::size_t>(index) * block_size() + v % lanes, block_stride};
-}
-
-Motion::Place<double> Motion::place(Slot s) {
-    const Place<const double> found = std::as_const(*this).place(s);
-    return {const_cast<double*>(found.first), found.stride};
-}
-
-Vec3 Motion::get(Slot s, std::size_t quantity) const {
-    const Place<const double> p = place(s);
-    return {*p.at(quantity), *p.at(quantity + 1), *p.at(quantity + 2)};
-}
-
 void Motion::set(Slot s, std::size_t quantity, Vec3 value) {
     CRACKSIM_EXPECT(quantity + 3 <= components_);
     const Place<double> p = place(s);

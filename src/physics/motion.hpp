@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/contracts.hpp"
 #include "core/vec3.hpp"
 #include "physics/lattice.hpp"
 
@@ -59,7 +60,10 @@ public:
 
     /// Makes sure that a slot has memory; what is new is zero. Moves the blocks.
     void open(Slot s);
-    [[nodiscard]] Vec3 get(Slot s, std::size_t quantity) const;
+    [[nodiscard]] Vec3 get(Slot s, std::size_t quantity) const {
+        const Place<const double> p = place(s);
+        return {*p.at(quantity), *p.at(quantity + 1), *p.at(quantity + 2)};
+    }
     void set(Slot s, std::size_t quantity, Vec3 value);
     [[nodiscard]] double& mobility(Slot s) { return *place(s).at(Quantity::mobility); }
     [[nodiscard]] double mobility(Slot s) const { return *place(s).at(Quantity::mobility); }
@@ -98,8 +102,19 @@ private:
     [[nodiscard]] static std::size_t entry(std::size_t group, int plane) {
         return group * planes + static_cast<std::size_t>(plane);
     }
-    [[nodiscard]] Place<const double> place(Slot s) const;
-    [[nodiscard]] Place<double> place(Slot s);
+    [[nodiscard]] Place<const double> place(Slot s) const {
+        const std::size_t v = vertex_of(s).index();
+        if (plane_of(s) == base_plane) {
+            return {base_.data() + v, base_stride_};
+        }
+        const std::int32_t index = block_of_[entry(v / Lattice::lanes, plane_of(s))];
+        CRACKSIM_EXPECT(index >= 0);
+        return {blocks_.data() + guard + static_cast<std::size_t>(index) * block_size() + v % Lattice::lanes, block_stride};
+    }
+    [[nodiscard]] Place<double> place(Slot s) {
+        const Place<const double> found = std::as_const(*this).place(s);
+        return {const_cast<double*>(found.first), found.stride};
+    }
     void make_room();
 
     std::size_t components_;

@@ -28,11 +28,21 @@ struct Interface {
     std::uint8_t face_b;
     std::uint8_t rotation;
 
-    [[nodiscard]] int corner_a(int k) const;
-    [[nodiscard]] int corner_b(int k) const;
+    [[nodiscard]] int corner_a(int k) const { return Hexahedron::face[face_a][static_cast<std::size_t>(k)]; }
+    [[nodiscard]] int corner_b(int k) const {
+        return Hexahedron::face[face_b][static_cast<std::size_t>(partner_place(k))];
+    }
     /// The k of the duplet at a corner of a (or of b), or -1 if the corner is not on the face.
-    [[nodiscard]] int duplet_at_a(int corner) const;
-    [[nodiscard]] int duplet_at_b(int corner) const;
+    [[nodiscard]] int duplet_at_a(int corner) const { return Hexahedron::place_in_face(face_a, corner); }
+    [[nodiscard]] int duplet_at_b(int corner) const {
+        const int place = Hexahedron::place_in_face(face_b, corner);
+        return place < 0 ? -1 : partner_place(place);
+    }
+
+private:
+    [[nodiscard]] int partner_place(int k) const {
+        return (rotation - k + 2 * Hexahedron::face_corners) % Hexahedron::face_corners;
+    }
 };
 
 /// Prescribed velocity of the masses whose rest position is inside a box; an empty component is free. m/s, of (m, s).
@@ -87,7 +97,16 @@ public:
         return interface_of_face_[e.index() * Hexahedron::faces + static_cast<std::size_t>(face)];
     }
     /// The duplet that would tie a mass over a face of its entity; none where there is no interface or the mass is not on the face.
-    [[nodiscard]] std::optional<LocalDuplet> duplet_over(LocalMass m, int face) const;
+    [[nodiscard]] std::optional<LocalDuplet> duplet_over(LocalMass m, int face) const {
+        const LocalEntity e = entity_of(m);
+        const std::int32_t index = interface_at(e, face);
+        if (index < 0) {
+            return std::nullopt;
+        }
+        const Interface& shared = interfaces_[static_cast<std::size_t>(index)];
+        const int k = shared.a == e ? shared.duplet_at_a(corner_of(m)) : shared.duplet_at_b(corner_of(m));
+        return k < 0 ? std::nullopt : std::optional{LocalDuplet{index * duplets_per_interface + k}};
+    }
     /// The mass that meets this one over a face, and the duplet that would tie them; none where there is no interface or
     /// the mass is not on the face.
     [[nodiscard]] std::optional<Tie> tie_over(LocalMass m, int face) const;

@@ -45,6 +45,22 @@ bool triggers(const Network& network, const State& state, LocalDuplet d) {
     return elongation > threshold(network, d) * rest;
 }
 
+/// The extension |d|^2/L0^2 - 1 up to which both edges under a sensor may go before it can trigger: they are in line, so with stretches
+/// up to s the sum of their lengths is at most (1 + s) R0.
+double extension_limit(double lowest_threshold) {
+    const double length = (1 + lowest_threshold) * (1 - margin);
+    return length * length - 1;
+}
+
+/// The extension of an edge of e.
+double extension(const Network& network, const State& state, LocalEntity e, int edge) {
+    const auto [lower, upper] = HexahedronPairs::corners[static_cast<std::size_t>(edge)];
+    const Vec3 rest = network.model().rest[static_cast<std::size_t>(edge)];
+    const Vec3 du = state.displacement(state.unions.slot(local_mass(e, upper))) -
+                    state.displacement(state.unions.slot(local_mass(e, lower)));
+    return dot(2 * rest + du, du) / dot(rest, rest);
+}
+
 /// Calls action(duplet) for the active duplets whose sensors reach over an edge that e carries: at both ends of each of its merged
 /// copies, over the face that is normal to it.
 void for_each_sensor(const Network& network, const State& state, LocalEntity e, int edge, auto&& action) {
@@ -91,8 +107,9 @@ std::vector<LocalDuplet> sense_exceeded(const Network& network, const State& sta
             for (unsigned bits = exceeded.edge[static_cast<std::size_t>(edge)]; bits != 0; bits &= bits - 1) {
                 const std::size_t site = batch * Lattice::lanes + static_cast<std::size_t>(std::countr_zero(bits));
                 const LocalEntity e = state.lattice().entity(Site{static_cast<std::int32_t>(site)});
+                const double x = extension(network, state, e, edge);
                 for_each_sensor(network, state, e, edge, [&](LocalDuplet d) {
-                    if (triggers(network, state, d)) {
+                    if (x > extension_limit(threshold(network, d)) && triggers(network, state, d)) {
                         found.push_back(d);
                     }
                 });
@@ -104,11 +121,7 @@ std::vector<LocalDuplet> sense_exceeded(const Network& network, const State& sta
     return found;
 }
 
-/// The extension |d|^2/L0^2 - 1 up to which both edges under a sensor may go before it can trigger: they are in line, so with stretches
-/// up to s the sum of their lengths is at most (1 + s) R0.
-float extension_limit(double lowest_threshold) {
-    const double length = (1 + lowest_threshold) * (1 - margin);
-    const double limit = length * length - 1;
+float rounded_down(double limit) {
     const auto rounded = static_cast<float>(limit);
     return static_cast<double>(rounded) > limit ? std::nextafter(rounded, -1.0F) : rounded;
 }
@@ -127,7 +140,7 @@ void set_sensing_limits(const Network& network, LocalEntity e, State& state) {
             for_each_sensor(network, state, e, edge, [&](LocalDuplet d) { lowest = std::min(lowest, threshold(network, d)); });
         }
         state.sensing.limit[(site / Lattice::lanes * 3 + static_cast<std::size_t>(axis)) * Lattice::lanes + site % Lattice::lanes] =
-            extension_limit(lowest);
+            rounded_down(extension_limit(lowest));
     }
 }
 

@@ -35,11 +35,6 @@ void UnionTable::find_labels(const Network& network) {
     }
 }
 
-Slot UnionTable::slot(LocalMass m) const {
-    const VertexSite v = lattice_.vertex(m);
-    return slot_of(v, is_touched(v) ? label(m) : corner_of(m));
-}
-
 LocalMass UnionTable::smallest_mass(Slot s) const {
     if (!is_touched(vertex_of(s))) {
         return lattice_.mass_at(vertex_of(s), plane_of(s));

@@ -30,7 +30,10 @@ public:
     [[nodiscard]] int label(LocalMass m) const { return label_[m.index()]; }
     /// Touched: this rank advances the unions of the vertex, and has all their masses.
     [[nodiscard]] bool is_touched(VertexSite v) const { return touched_[v.index()] != 0; }
-    [[nodiscard]] Slot slot(LocalMass m) const;
+    [[nodiscard]] Slot slot(LocalMass m) const {
+        const VertexSite v = lattice_.vertex(m);
+        return slot_of(v, is_touched(v) ? label(m) : corner_of(m));
+    }
     [[nodiscard]] LocalMass smallest_mass(Slot s) const;
     /// Calls action(mass) for the masses of an advanced union, ascending.
     template <class Action>
