@@ -145,7 +145,7 @@ HWY_NOINLINE void SweepAny(SweepView& v, const RowView& row, std::size_t batch, 
     const BatchPlaces places{&row, v.planes + b * Hexahedron::corners, v.lane_planes + b * Hexahedron::corners * Lattice::lanes,
                              batch * Lattice::lanes};
     const unsigned carried = v.carried[b];
-    Exceeded exceeded{};
+    EdgeBits exceeded{};
     for (std::size_t lane = 0; (carried & 0xffffU) != 0 && lane < Lattice::lanes; lane += hn::Lanes(d)) {
         const std::uint8_t* weights = v.weights + b * Merging::bytes_per_batch + lane;
         const float* limits = v.limits + b * 3 * Lattice::lanes + lane;

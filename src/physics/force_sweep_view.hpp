@@ -23,11 +23,11 @@ struct Series {
     static constexpr double tiny_squared = 1e-24;
 };
 
-/// Which entities of a batch have an edge stretched beyond its limit: by edge, a bit a lane.
-struct Exceeded {
+/// Some edges of the entities of a batch: by edge, a bit a lane.
+struct EdgeBits {
     alignas(16) std::array<std::uint8_t, HexahedronPairs::edges> edge;
 
-    friend bool operator==(const Exceeded&, const Exceeded&) = default;
+    friend bool operator==(const EdgeBits&, const EdgeBits&) = default;
 };
 
 /// An interaction's constants as the kernel wants them.
@@ -60,7 +60,7 @@ struct SweepView {
     const std::uint8_t* weights;      ///< [batch][row][lane]
     const std::uint32_t* carried;     ///< [batch]
     const float* limits;              ///< [batch][axis][lane]
-    Exceeded* exceeded;               ///< [batch]
+    EdgeBits* exceeded;  ///< [batch]: edges stretched beyond their limit
     double dissipated;             ///< out: sum of (z/dt) (dw.n)^2, J
     double elastic;                ///< out: sum of k e^2 / 2, J
 };

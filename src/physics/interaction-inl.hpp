@@ -172,7 +172,7 @@ struct RowSums {
 };
 
 template <bool kMeasure>
-HWY_INLINE void Collect(const Outcome& outcome, const std::uint8_t* weights, std::size_t lane, Exceeded& exceeded,
+HWY_INLINE void Collect(const Outcome& outcome, const std::uint8_t* weights, std::size_t lane, EdgeBits& exceeded,
                         RowSums& sums) {
     const V owned = Weight(weights, HexahedronPairs::count);
     sums.dissipated = hn::MulAdd(owned, outcome.dissipated, sums.dissipated);

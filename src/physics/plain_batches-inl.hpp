@@ -142,7 +142,7 @@ template <class List, bool kFull, bool kMeasure>
 HWY_NOINLINE void SweepPlain(SweepView& v, PlainRun& run, std::size_t batch, std::size_t b, RowSums& sums) {
     const D d;
     const std::size_t stride = run.stride;
-    Exceeded exceeded{};
+    EdgeBits exceeded{};
     for (std::size_t lane = 0; lane < Lattice::lanes; lane += hn::Lanes(d)) {
         const std::size_t at = batch * Lattice::lanes + lane;
         const std::uint8_t* weights = v.weights + b * Merging::bytes_per_batch + lane;

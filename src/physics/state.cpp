@@ -16,6 +16,7 @@ Sensing all_active(const Network& network, const Lattice& lattice) {
         sensing.active.push_back(network.touched_duplets(i));
     }
     sensing.limit.assign(lattice.batches() * 3 * Lattice::lanes, std::numeric_limits<float>::infinity());
+    sensing.watched.assign(lattice.batches(), {});
     sensing.exceeded.assign(lattice.batches(), {});
     return sensing;
 }
@@ -73,7 +74,7 @@ void State::hold(const Held& union_held) {
 
 std::size_t State::memory_bytes() const {
     return unions.memory_bytes() + motion.memory_bytes() + merging.memory_bytes() + held.capacity() * sizeof(Held) +
-           sensing.active.capacity() + sensing.limit.capacity() * sizeof(float) + sensing.exceeded.capacity() * sizeof(Exceeded) +
+           sensing.active.capacity() + sensing.limit.capacity() * sizeof(float) + (sensing.watched.capacity() + sensing.exceeded.capacity()) * sizeof(EdgeBits) +
            (held_in_row.size() + received_in_row.size()) * sizeof(std::vector<std::size_t>);
 }
 

@@ -22,7 +22,8 @@ struct Sensing {
     /// [batch][axis][lane]: no sensor on an edge along the axis that the entity carries can trigger while none of them is stretched
     /// beyond this (|d|^2/L0^2 - 1).
     std::vector<float> limit;
-    std::vector<Exceeded> exceeded;  ///< [batch]; written by the sweep
+    std::vector<EdgeBits> watched;   ///< [batch]: edges that an entity carries and that an active duplet's sensor reaches over
+    std::vector<EdgeBits> exceeded;  ///< [batch]: edges stretched beyond the limit of their axis; written by the sweep
 
     [[nodiscard]] bool is_active(LocalDuplet d) const {
         return ((static_cast<unsigned>(active[d.index() / Network::duplets_per_interface]) >>

@@ -23,74 +23,98 @@ TEST(Motion, KeepsEachComponentOfEachSlotApart) {
     };
     constexpr std::size_t quantities[] = {Quantity::displacement, Quantity::increment, Quantity::force, Quantity::extrapolated};
     for (const Slot s : unions.advanced()) {
-        motion.open(lattice, s, true);
+        motion.open(s);
         for (const std::size_t quantity : quantities) {
-            motion.set(lattice, s, quantity, value(s, quantity));
+            motion.set(s, quantity, value(s, quantity));
         }
-        motion.mobility(lattice, s) = s.value();
+        motion.mobility(s) = s.value();
     }
     for (const Slot s : unions.advanced()) {
         for (const std::size_t quantity : quantities) {
-            EXPECT_EQ(motion.get(lattice, s, quantity), value(s, quantity));
+            EXPECT_EQ(motion.get(s, quantity), value(s, quantity));
         }
-        EXPECT_EQ(motion.mobility(lattice, s), s.value());
+        EXPECT_EQ(motion.mobility(s), s.value());
     }
 }
 
-TEST(Motion, TakesMemoryForAPlaneWithItsFirstUnion) {
+TEST(Motion, TakesABlockWithTheFirstUnionOfAPlaneInAGroup) {
     test::SerialBlock block;
     block.cells = {64, 4, 4};
     const Network network = block.network();
     const UnionTable unions{network};
     Motion motion{unions.lattice(), false};
-    const std::size_t empty = motion.memory_bytes();
     const VertexSite v = unions.lattice().vertex(LocalMass{8 * 30});
-    const std::int32_t row = unions.lattice().vertex_row(v);
-    EXPECT_EQ(motion.chunk(row, 2).row_start(), nullptr);
-    motion.open(unions.lattice(), slot_of(v, 2), false);
-    EXPECT_LE(motion.chunk(row, 2).length, 2 * Lattice::lanes);
-    EXPECT_FALSE(motion.chunk(row, 2).advances);
-    const std::size_t opened = motion.memory_bytes();
-    EXPECT_GT(opened, empty);
-    motion.open(unions.lattice(), slot_of(v, 2), true);
-    EXPECT_EQ(motion.memory_bytes(), opened);
-    EXPECT_TRUE(motion.chunk(row, 2).advances);
-    EXPECT_EQ(motion.get(unions.lattice(), slot_of(v, 2), Quantity::increment), (Vec3{0, 0, 0}));
+    const std::size_t group = v.index() / Lattice::lanes;
+    EXPECT_EQ(motion.planes_in_use()[group], 0U);
+    motion.open(slot_of(v, base_plane));
+    EXPECT_EQ(motion.planes_in_use()[group], 0U);
+    motion.open(slot_of(v, 2));
+    EXPECT_EQ(motion.planes_in_use()[group], 1U << 2U);
+    EXPECT_EQ(motion.get(slot_of(v, 2), Quantity::increment), (Vec3{0, 0, 0}));
+    motion.set(slot_of(v, 2), Quantity::increment, {1, 2, 3});
+    const std::size_t bytes = motion.memory_bytes();
+    const VertexSite neighbour{static_cast<std::int32_t>(group * Lattice::lanes + (v.index() + 1) % Lattice::lanes)};
+    motion.open(slot_of(neighbour, 2));
+    EXPECT_EQ(motion.memory_bytes(), bytes);
+    EXPECT_EQ(motion.get(slot_of(neighbour, 2), Quantity::increment), (Vec3{0, 0, 0}));
+    EXPECT_EQ(motion.get(slot_of(v, 2), Quantity::increment), (Vec3{1, 2, 3}));
 }
 
-TEST(Motion, KeepsWhatItHoldsWhileAPlaneGrows) {
+TEST(Motion, KeepsWhatItHoldsWhileBlocksAreAdded) {
     test::SerialBlock block;
-    block.cells = {100, 1, 1};
+    block.cells = {40, 5, 5};
     const Network network = block.network();
     const UnionTable unions{network};
     Motion motion{unions.lattice(), false};
-    const VertexSite first = unions.lattice().vertex(LocalMass{0});
-    const std::vector<std::int32_t> opened{50, 49, 51, 8, 7, 90, 16, 0, 100};
-    for (const std::int32_t along : opened) {
-        const Slot s = slot_of(VertexSite{first.value() + along}, 3);
-        motion.open(unions.lattice(), s, true);
-        motion.set(unions.lattice(), s, Quantity::increment, {1.0 * along, 2.0 * along, 3.0 * along});
-        for (const std::int32_t before : opened) {
-            const Slot other = slot_of(VertexSite{first.value() + before}, 3);
-            EXPECT_EQ(motion.get(unions.lattice(), other, Quantity::increment),
-                      (Vec3{1.0 * before, 2.0 * before, 3.0 * before}));
-            if (before == along) {
-                break;
-            }
+    const auto value = [](Slot s) { return Vec3{1.0 * s.value(), 2.0 * s.value(), 3.0 * s.value()}; };
+    // In an order that is not that of the places.
+    const std::vector<Slot> slots = unions.advanced();
+    std::vector<Slot> opened;
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        const VertexSite v = vertex_of(slots[i * 577 % slots.size()]);
+        const Slot s = slot_of(v, v.value() % planes);
+        motion.open(s);
+        motion.set(s, Quantity::increment, value(s));
+        opened.push_back(s);
+        for (std::size_t j = 0; j < opened.size(); j += 1 + opened.size() / 10) {
+            ASSERT_EQ(motion.get(opened[j], Quantity::increment), value(opened[j]));
         }
+    }
+    for (const Slot s : opened) {
+        EXPECT_EQ(motion.get(s, Quantity::increment), value(s));
+    }
+}
+
+TEST(Motion, ClearsForcesAndNothingElse) {
+    test::SerialBlock block;
+    const Network network = block.network();
+    const UnionTable unions{network};
+    Motion motion{unions.lattice(), false};
+    const VertexSite v = vertex_of(unions.advanced().front());
+    for (const Slot s : {slot_of(v, base_plane), slot_of(v, 1)}) {
+        motion.open(s);
+        motion.set(s, Quantity::increment, {1, 2, 3});
+        motion.set(s, Quantity::force, {4, 5, 6});
+        motion.mobility(s) = 7;
+    }
+    motion.clear_forces();
+    for (const Slot s : {slot_of(v, base_plane), slot_of(v, 1)}) {
+        EXPECT_EQ(motion.get(s, Quantity::increment), (Vec3{1, 2, 3}));
+        EXPECT_EQ(motion.get(s, Quantity::force), (Vec3{0, 0, 0}));
+        EXPECT_EQ(motion.mobility(s), 7);
     }
 }
 
 TEST(Motion, LiesOnWholeCacheLines) {
     test::SerialBlock block;
     const Network network = block.network();
-    const State state{network, Scheme::cordis, 0.3};
-    for (std::int32_t row = 0; row < static_cast<std::int32_t>(state.lattice().vertex_rows().size()); ++row) {
-        const Chunk& chunk = state.motion.chunk(row, base_plane);
-        EXPECT_EQ(reinterpret_cast<std::uintptr_t>(chunk.values.data()) % 64, 0U);
-        EXPECT_EQ(chunk.stride % 8, 0U);
-        EXPECT_EQ(chunk.begin % Lattice::lanes, 0);
-    }
+    const UnionTable unions{network};
+    Motion motion{unions.lattice(), true};
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(motion.base()) % 64, 0U);
+    EXPECT_EQ(motion.base_stride() % 8, 0U);
+    const VertexSite v = vertex_of(unions.advanced().front());
+    motion.open(slot_of(v, 3));
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(motion.block(v.index() / Lattice::lanes, 3)) % 64, 0U);
 }
 
 }  // namespace
