@@ -267,10 +267,20 @@ void set_received(const Network& network, State& state, std::span<const StartInc
 
 void set_received_labels(const Network& network, State& state, std::span<const std::uint8_t> labels) {
     std::vector<VertexSite> changed;
+    std::vector<Slot> left;
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const LocalMass m = network.received()[i];
+        const Slot before = state.unions.slot(m);
         if (state.unions.set_received_label(m, labels[i])) {
+            state.motion.open(state.unions.slot(m));
+            state.motion.copy(before, state.unions.slot(m));
+            left.push_back(before);
             changed.push_back(state.lattice().vertex(m));
+        }
+    }
+    for (const Slot s : left) {
+        if (state.unions.smallest_mass(s) == LocalMass{}) {
+            state.motion.clear(s);
         }
     }
     std::ranges::sort(changed);

@@ -65,6 +65,14 @@ void Motion::set(Slot s, std::size_t quantity, Vec3 value) {
     *p.at(quantity + 2) = value.z;
 }
 
+void Motion::copy(Slot from, Slot to) {
+    const Place<const double> source = std::as_const(*this).place(from);
+    const Place<double> target = place(to);
+    for (std::size_t component = 0; component < components_; ++component) {
+        *target.at(component) = *source.at(component);
+    }
+}
+
 void Motion::clear(Slot s) {
     const Place<double> p = place(s);
     for (std::size_t component = 0; component < components_; ++component) {

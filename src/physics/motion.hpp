@@ -67,6 +67,8 @@ public:
     void set(Slot s, std::size_t quantity, Vec3 value);
     [[nodiscard]] double& mobility(Slot s) { return *place(s).at(Quantity::mobility); }
     [[nodiscard]] double mobility(Slot s) const { return *place(s).at(Quantity::mobility); }
+    /// All components of a slot to another one, which has memory.
+    void copy(Slot from, Slot to);
     /// All components of a slot to zero.
     void clear(Slot s);
     /// The forces of all slots to zero.

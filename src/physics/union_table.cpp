@@ -36,9 +36,6 @@ void UnionTable::find_labels(const Network& network) {
 }
 
 LocalMass UnionTable::smallest_mass(Slot s) const {
-    if (!is_touched(vertex_of(s))) {
-        return lattice_.mass_at(vertex_of(s), plane_of(s));
-    }
     for (const int corner : ascending) {
         const LocalMass m = lattice_.mass_at(vertex_of(s), corner);
         if (m != LocalMass{} && label(m) == plane_of(s)) {
@@ -102,9 +99,12 @@ Slot UnionTable::assign(std::span<const LocalMass> part) {
 
 bool UnionTable::set_received_label(LocalMass m, std::uint8_t label) {
     CRACKSIM_EXPECT(!is_touched(lattice_.vertex(m)) && label < planes);
-    const bool changes = label_[m.index()] != label;
+    if (label_[m.index()] == label) {
+        return false;
+    }
     label_[m.index()] = label;
-    return changes;
+    update_batch(lattice_.site(entity_of(m)).index() / lanes, corner_of(m));
+    return true;
 }
 
 void UnionTable::update_batch(std::size_t batch, int corner) {

@@ -14,8 +14,7 @@ namespace cracksim::physics {
 
 /// Which masses move as one. The masses of a vertex that share a union share a label, which follows from the split state alone:
 /// its corner for a mass on its own; else base_plane in the part with the vertex's smallest mass, and in the others the corner of
-/// their smallest mass. A union's motion is in the plane of its label; that of a received mass in the plane of its corner, and its
-/// label is what its owner says.
+/// their smallest mass. A union's motion is in the plane of its label. The label of a received mass is what its owner says.
 class UnionTable {
 public:
     static constexpr int lanes = Lattice::lanes;
@@ -31,9 +30,9 @@ public:
     /// Touched: this rank advances the unions of the vertex, and has all their masses.
     [[nodiscard]] bool is_touched(VertexSite v) const { return touched_[v.index()] != 0; }
     [[nodiscard]] Slot slot(LocalMass m) const {
-        const VertexSite v = lattice_.vertex(m);
-        return slot_of(v, is_touched(v) ? label(m) : corner_of(m));
+        return slot_of(lattice_.vertex(m), label(m));
     }
+    /// Of its local masses; none if the slot is empty.
     [[nodiscard]] LocalMass smallest_mass(Slot s) const;
     /// Calls action(mass) for the masses of an advanced union, ascending.
     template <class Action>
@@ -58,7 +57,7 @@ public:
 
     /// Makes some masses of a touched vertex (ascending) a union of their own; returns its slot.
     Slot assign(std::span<const LocalMass> part);
-    /// Takes over the label of a received mass; true if it is another one.
+    /// Takes over the label of a received mass; true if it is another one. Its motion is not moved.
     bool set_received_label(LocalMass m, std::uint8_t label);
 
     [[nodiscard]] std::size_t memory_bytes() const;

@@ -30,14 +30,12 @@ void expect_consistent(const Network& network, const UnionTable& unions) {
         for (std::size_t lane = 0; lane < Lattice::lanes; ++lane) {
             const std::size_t site = place / Hexahedron::corners * Lattice::lanes + lane;
             const LocalEntity e = lattice.entity(Site{static_cast<std::int32_t>(site)});
-            if (e != LocalEntity{}) {
-                const LocalMass m = local_mass(e, static_cast<int>(place % Hexahedron::corners));
-                EXPECT_EQ(unions.lane_planes()[place * Lattice::lanes + lane], plane_of(unions.slot(m)));
-                found.insert(plane_of(unions.slot(m)));
-            }
+            const int corner = static_cast<int>(place % Hexahedron::corners);
+            const int plane = e == LocalEntity{} ? base_plane : plane_of(unions.slot(local_mass(e, corner)));
+            EXPECT_EQ(unions.lane_planes()[place * Lattice::lanes + lane], plane);
+            found.insert(plane);
         }
-        const int uniform = found.empty() ? base_plane : *found.begin();
-        EXPECT_EQ(unions.batch_planes()[place], found.size() < 2 ? uniform : UnionTable::mixed);
+        EXPECT_EQ(unions.batch_planes()[place], found.size() < 2 ? *found.begin() : UnionTable::mixed);
     }
 }
 
