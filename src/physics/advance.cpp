@@ -68,7 +68,8 @@ void Advance(AdvanceView& v) {
 void NextIncrements(const NextIncrementView& v) {
     const D d;
     for (std::size_t at = 0; at < v.count; at += hn::Lanes(d)) {
-        const V next = NextIncrement(hn::LoadU(d, v.increment + at), hn::LoadU(d, v.mobility + at), hn::LoadU(d, v.force + at));
+        const V next =
+            NextIncrement(hn::LoadU(d, v.increment + at), hn::LoadU(d, v.mobility + at), hn::LoadU(d, v.force + at));
         hn::StoreU(next, d, v.next + at);
     }
 }
@@ -154,7 +155,13 @@ public:
         const auto length = static_cast<std::size_t>(vertices.length);
         find_blocks(first / Lattice::lanes, length / Lattice::lanes);
         Motion& motion = state_->motion;
-        AdvanceView view{motion.base() + first, motion.base_stride(), length, blocks_, state_->scheme == Scheme::ab2, longest_, broken_};
+        AdvanceView view{motion.base() + first,
+                         motion.base_stride(),
+                         length,
+                         blocks_,
+                         state_->scheme == Scheme::ab2,
+                         longest_,
+                         broken_};
         HWY_DYNAMIC_DISPATCH(Advance)(view);
         broken_ = view.broken;
         put_right(row);

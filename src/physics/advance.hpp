@@ -18,7 +18,8 @@ namespace cracksim::physics {
 void advance(const Network& network, State& state, std::span<const Vec3> received, Measure measure);
 
 /// The increments, m, that the coming advance gives to the unions of some masses, with its bits.
-[[nodiscard]] std::vector<Vec3> next_increments(const Network& network, const State& state, std::span<const LocalMass> masses);
+[[nodiscard]] std::vector<Vec3> next_increments(const Network& network, const State& state,
+                                                std::span<const LocalMass> masses);
 
 /// The start values of the received masses: w(0), and with ab2 its extrapolation.
 struct StartIncrements {

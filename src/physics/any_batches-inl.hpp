@@ -65,7 +65,8 @@ HWY_INLINE void ForEachBlock(const SweepView& v, const CornerPlaces& corner, Act
     const auto visit = [&](unsigned bits, std::size_t in_group, std::ptrdiff_t begin, hn::Mask<D> lanes) {
         for (bits &= ~(1U << base_plane); bits != 0; bits &= bits - 1) {
             const auto plane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
-            const auto is_plane = hn::RebindMask(d, hn::Eq(plane_of_lane, hn::Set(di, static_cast<std::int64_t>(plane))));
+            const auto is_plane =
+                hn::RebindMask(d, hn::Eq(plane_of_lane, hn::Set(di, static_cast<std::int64_t>(plane))));
             action(Block(v, in_group, plane) + begin, hn::And(lanes, is_plane));
         }
     };
@@ -142,8 +143,8 @@ template <bool kMeasure>
 HWY_NOINLINE void SweepAny(SweepView& v, const RowView& row, std::size_t batch, RowSums& sums) {
     const D d;
     const std::size_t b = row.first_batch + batch;
-    const BatchPlaces places{&row, v.planes + b * Hexahedron::corners, v.lane_planes + b * Hexahedron::corners * Lattice::lanes,
-                             batch * Lattice::lanes};
+    const BatchPlaces places{&row, v.planes + b * Hexahedron::corners,
+                             v.lane_planes + b * Hexahedron::corners * Lattice::lanes, batch * Lattice::lanes};
     const unsigned carried = v.carried[b];
     EdgeBits exceeded{};
     for (std::size_t lane = 0; (carried & 0xffffU) != 0 && lane < Lattice::lanes; lane += hn::Lanes(d)) {

@@ -60,9 +60,9 @@ struct SweepView {
     const std::uint8_t* weights;      ///< [batch][row][lane]
     const std::uint32_t* carried;     ///< [batch]
     const float* limits;              ///< [batch][axis][lane]
-    EdgeBits* exceeded;  ///< [batch]: edges stretched beyond their limit
-    double dissipated;             ///< out: sum of (z/dt) (dw.n)^2, J
-    double elastic;                ///< out: sum of k e^2 / 2, J
+    EdgeBits* exceeded;               ///< [batch]: edges stretched beyond their limit
+    double dissipated;                ///< out: sum of (z/dt) (dw.n)^2, J
+    double elastic;                   ///< out: sum of k e^2 / 2, J
 };
 
 /// Some entities, wherever they are: [component][corner][lane]; in: u and what damping takes for w, m; out: forces, N.

@@ -23,7 +23,7 @@ namespace cracksim::physics::HWY_NAMESPACE {
 struct Outcome {
     V dissipated;
     V elastic;
-    V farthest;  ///< largest |extension|
+    V farthest;                                 ///< largest |extension|
     unsigned exceeded[HexahedronPairs::edges];  ///< by edge, a bit a lane
 };
 
@@ -111,7 +111,8 @@ struct Pull {
 
 /// kPlain: all weights are above zero.
 template <std::size_t I, bool kPlain, bool kFar, bool kMeasure>
-HWY_INLINE Pull PullOf(const InteractionConstants& c, const V3& du, const V3& dw, V weight, const float* limit, Outcome& sums) {
+HWY_INLINE Pull PullOf(const InteractionConstants& c, const V3& du, const V3& dw, V weight, const float* limit,
+                       Outcome& sums) {
     const D d;
     const Extended e = Extend<I>(c, du);
     const Ratio ratio = kFar ? AnyRatio(e.extension) : NearRatio(e.extension);
@@ -206,7 +207,8 @@ struct Corners {
 };
 
 template <std::size_t I, bool kFar, bool kMeasure, class From>
-HWY_INLINE void AddInteraction(const SweepView& v, const From& from, V weight, const float* limits, Forces& forces, Outcome& outcome) {
+HWY_INLINE void AddInteraction(const SweepView& v, const From& from, V weight, const float* limits, Forces& forces,
+                               Outcome& outcome) {
     constexpr auto a = static_cast<std::size_t>(HexahedronPairs::corners[I][0]);
     constexpr auto b = static_cast<std::size_t>(HexahedronPairs::corners[I][1]);
     const V3 du = Sub(from.template Displacement<b>(), from.template Displacement<a>());
@@ -218,8 +220,8 @@ HWY_INLINE void AddInteraction(const SweepView& v, const From& from, V weight, c
 
 /// What is carried of all 16 interactions, onto forces of zero.
 template <bool kFar, bool kMeasure, class From>
-HWY_INLINE void AddCarried(const SweepView& v, unsigned carried, const From& from, const std::uint8_t* weights, const float* limits,
-                           Forces& forces, Outcome& outcome) {
+HWY_INLINE void AddCarried(const SweepView& v, unsigned carried, const From& from, const std::uint8_t* weights,
+                           const float* limits, Forces& forces, Outcome& outcome) {
     std::fill(std::begin(forces.f), std::end(forces.f), Zero3());
     outcome = Nothing();
     const auto add = [&]<std::size_t... I>(std::index_sequence<I...>) {
@@ -235,8 +237,8 @@ HWY_INLINE void AddCarried(const SweepView& v, unsigned carried, const From& fro
 
 /// In case of large stretches, the same with what holds everywhere.
 template <bool kMeasure, class From>
-HWY_NOINLINE void AddFar(const SweepView& v, unsigned carried, const From& from, const std::uint8_t* weights, const float* limits,
-                         Forces& forces, Outcome& outcome) {
+HWY_NOINLINE void AddFar(const SweepView& v, unsigned carried, const From& from, const std::uint8_t* weights,
+                         const float* limits, Forces& forces, Outcome& outcome) {
     AddCarried<true, kMeasure>(v, carried, from, weights, limits, forces, outcome);
 }
 

@@ -27,13 +27,14 @@ public:
         std::int32_t first_batch;
         std::int32_t batches;
         std::array<std::int32_t, sides> vertex_row;
-        std::array<std::int32_t, sides> offset;  ///< of the first cell's lower vertex in each of them
+        std::array<std::int32_t, sides> offset;     ///< of the first cell's lower vertex in each of them
         std::array<std::int32_t, sides> to_vertex;  ///< from a cell's site to its lower vertex there
     };
     struct VertexRow {
         std::int32_t first;
         std::int32_t length;
-        std::array<std::int32_t, sides> cell_row;  ///< the row that has this one as its vertex_row[side]; -1: none is local
+        std::array<std::int32_t, sides>
+            cell_row;  ///< the row that has this one as its vertex_row[side]; -1: none is local
     };
 
     /// entities: ascending.

@@ -40,7 +40,9 @@ Merging::Merging(const Network& network, const UnionTable& unions)
         weight_[place(unions, e, owned_row)] = network.owned(e) ? 1 : 0;
         for (int i = HexahedronPairs::edges; i < HexahedronPairs::count; ++i) {
             const auto [a, b] = HexahedronPairs::corners[static_cast<std::size_t>(i)];
-            const auto felt = [&](int corner) { return unions.is_touched(unions.lattice().vertex(local_mass(e, corner))); };
+            const auto felt = [&](int corner) {
+                return unions.is_touched(unions.lattice().vertex(local_mass(e, corner)));
+            };
             set_weight(unions, e, i, felt(a) || felt(b) ? 1 : 0);
         }
     }
@@ -55,8 +57,9 @@ Merging::Merging(const Network& network, const UnionTable& unions)
 void Merging::find_full_batches() {
     for (std::size_t batch = 0; batch < carried_.size(); ++batch) {
         const auto begin = weight_.begin() + static_cast<std::ptrdiff_t>(batch * bytes_per_batch);
-        const bool all = std::all_of(begin + HexahedronPairs::edges * Lattice::lanes,
-                                     begin + HexahedronPairs::count * Lattice::lanes, [](std::uint8_t w) { return w == 1; });
+        const bool all =
+            std::all_of(begin + HexahedronPairs::edges * Lattice::lanes,
+                        begin + HexahedronPairs::count * Lattice::lanes, [](std::uint8_t w) { return w == 1; });
         carried_[batch] |= all ? 1U << full : 0U;
     }
 }
@@ -97,7 +100,8 @@ void Merging::update(const UnionTable& unions, VertexSite v) {
         for (const int corner : UnionTable::ascending) {
             const LocalMass m = is_lower(corner, axis) ? LocalMass{} : unions.lattice().mass_at(v, corner);
             if (m != LocalMass{}) {
-                update_edge(unions, unions.lattice().vertex(local_mass(entity_of(m), Hexahedron::across(corner, axis))), axis);
+                update_edge(unions, unions.lattice().vertex(local_mass(entity_of(m), Hexahedron::across(corner, axis))),
+                            axis);
                 break;
             }
         }

@@ -55,7 +55,9 @@ public:
     [[nodiscard]] const std::uint32_t* carried() const { return carried_.data(); }
     static constexpr unsigned full = HexahedronPairs::count;
 
-    [[nodiscard]] std::size_t memory_bytes() const { return weight_.capacity() + carried_.capacity() * sizeof(std::uint32_t); }
+    [[nodiscard]] std::size_t memory_bytes() const {
+        return weight_.capacity() + carried_.capacity() * sizeof(std::uint32_t);
+    }
 
 private:
     [[nodiscard]] static std::size_t place(const UnionTable& unions, LocalEntity e, std::size_t row) {

@@ -65,7 +65,8 @@ private:
 struct PlainForces : Forces {
     template <std::size_t C, bool kFirst>
     HWY_INLINE void AddPull(const Pull& pull) {
-        f[C] = kFirst ? V3{hn::Mul(pull.factor, pull.distance.x), hn::Mul(pull.factor, pull.distance.y), hn::Mul(pull.factor, pull.distance.z)}
+        f[C] = kFirst ? V3{hn::Mul(pull.factor, pull.distance.x), hn::Mul(pull.factor, pull.distance.y),
+                           hn::Mul(pull.factor, pull.distance.z)}
                       : Plus(pull, f[C]);
     }
     template <std::size_t C, bool kFirst>
@@ -189,17 +190,10 @@ template <bool kMeasure>
 HWY_INLINE bool ContinueRun(SweepView& v, PlainRun& run, std::size_t batch, std::size_t b, RowSums& sums) {
     constexpr unsigned full = 1U << Merging::full;
     switch (v.carried[b]) {
-        case mask_of(InsideRow{}) | full:
-            SweepPlain<InsideRow, true, kMeasure>(v, run, batch, b, sums);
-            return true;
-        case mask_of(InsideRow{}):
-            SweepPlain<InsideRow, false, kMeasure>(v, run, batch, b, sums);
-            return true;
-        case mask_of(StartOfRow{}) | full:
-            SweepPlain<StartOfRow, true, kMeasure>(v, run, batch, b, sums);
-            return true;
-        default:
-            return false;
+        case mask_of(InsideRow{}) | full: SweepPlain<InsideRow, true, kMeasure>(v, run, batch, b, sums); return true;
+        case mask_of(InsideRow{}): SweepPlain<InsideRow, false, kMeasure>(v, run, batch, b, sums); return true;
+        case mask_of(StartOfRow{}) | full: SweepPlain<StartOfRow, true, kMeasure>(v, run, batch, b, sums); return true;
+        default: return false;
     }
 }
 

@@ -139,7 +139,8 @@ void set_sensing_limits(const Network& network, LocalEntity e, State& state) {
     const auto bit = static_cast<std::uint8_t>(1U << site % Lattice::lanes);
     for (int axis = 0; axis < 3; ++axis) {
         double lowest = std::numeric_limits<double>::infinity();
-        for (int edge = axis * HexahedronPairs::edges_per_axis; edge < (axis + 1) * HexahedronPairs::edges_per_axis; ++edge) {
+        for (int edge = axis * HexahedronPairs::edges_per_axis; edge < (axis + 1) * HexahedronPairs::edges_per_axis;
+             ++edge) {
             auto& lanes = watched[static_cast<std::size_t>(edge)];
             lanes = static_cast<std::uint8_t>(lanes & ~bit);
             for_each_sensor(network, state, e, edge, [&](LocalDuplet d) {
@@ -147,8 +148,8 @@ void set_sensing_limits(const Network& network, LocalEntity e, State& state) {
                 lanes = static_cast<std::uint8_t>(lanes | bit);
             });
         }
-        state.sensing.limit[(site / Lattice::lanes * 3 + static_cast<std::size_t>(axis)) * Lattice::lanes + site % Lattice::lanes] =
-            rounded_down(extension_limit(lowest));
+        state.sensing.limit[(site / Lattice::lanes * 3 + static_cast<std::size_t>(axis)) * Lattice::lanes +
+                            site % Lattice::lanes] = rounded_down(extension_limit(lowest));
     }
 }
 

@@ -128,7 +128,8 @@ bool split_union(const Network& network, Slot s, State& state, SplitStream& spli
 }
 
 /// Triggered duplets by the vertex of their masses.
-std::vector<VertexSite> concerned_vertices(const Network& network, std::span<const LocalDuplet> triggered, const State& state) {
+std::vector<VertexSite> concerned_vertices(const Network& network, std::span<const LocalDuplet> triggered,
+                                           const State& state) {
     std::vector<VertexSite> vertices;
     for (const LocalDuplet d : triggered) {
         vertices.push_back(state.lattice().vertex(masses_of(network, d)[0]));

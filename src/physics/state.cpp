@@ -74,7 +74,8 @@ void State::hold(const Held& union_held) {
 
 std::size_t State::memory_bytes() const {
     return unions.memory_bytes() + motion.memory_bytes() + merging.memory_bytes() + held.capacity() * sizeof(Held) +
-           sensing.active.capacity() + sensing.limit.capacity() * sizeof(float) + (sensing.watched.capacity() + sensing.exceeded.capacity()) * sizeof(EdgeBits) +
+           sensing.active.capacity() + sensing.limit.capacity() * sizeof(float) +
+           (sensing.watched.capacity() + sensing.exceeded.capacity()) * sizeof(EdgeBits) +
            (held_in_row.size() + received_in_row.size()) * sizeof(std::vector<std::size_t>);
 }
 

@@ -22,7 +22,8 @@ struct Sensing {
     /// [batch][axis][lane]: no sensor on an edge along the axis that the entity carries can trigger while none of them is stretched
     /// beyond this (|d|^2/L0^2 - 1).
     std::vector<float> limit;
-    std::vector<EdgeBits> watched;   ///< [batch]: edges that an entity carries and that an active duplet's sensor reaches over
+    std::vector<EdgeBits>
+        watched;  ///< [batch]: edges that an entity carries and that an active duplet's sensor reaches over
     std::vector<EdgeBits> exceeded;  ///< [batch]: edges stretched beyond the limit of their axis; written by the sweep
 
     [[nodiscard]] bool is_active(LocalDuplet d) const {
@@ -32,7 +33,8 @@ struct Sensing {
     }
     void inactivate(LocalDuplet d) {
         auto& bits = active[d.index() / Network::duplets_per_interface];
-        bits = static_cast<std::uint8_t>(bits & ~(1U << static_cast<unsigned>(d.value() % Network::duplets_per_interface)));
+        bits = static_cast<std::uint8_t>(bits &
+                                         ~(1U << static_cast<unsigned>(d.value() % Network::duplets_per_interface)));
     }
 };
 
@@ -62,11 +64,11 @@ struct State {
     Merging merging;
     Sensing sensing;
     std::vector<Held> held;
-    std::unordered_map<Slot, std::size_t> held_of_slot;      ///< index into held
-    std::vector<std::vector<std::size_t>> held_in_row;       ///< by vertex row: indices into held
-    std::vector<std::vector<std::size_t>> received_in_row;   ///< by vertex row: indices into Network::received
-    double last_dissipation{0};                              ///< J, z (v.n)^2 dt of the last sweep
-    std::int64_t last_sweep{-1};                             ///< its step
+    std::unordered_map<Slot, std::size_t> held_of_slot;     ///< index into held
+    std::vector<std::vector<std::size_t>> held_in_row;      ///< by vertex row: indices into held
+    std::vector<std::vector<std::size_t>> received_in_row;  ///< by vertex row: indices into Network::received
+    double last_dissipation{0};                             ///< J, z (v.n)^2 dt of the last sweep
+    std::int64_t last_sweep{-1};                            ///< its step
     double dissipated{0};  ///< J, by the owned entities since step 0: the trapezoidal sum of z (v.n)^2 dt
     double external{0};    ///< J, work of the supports on the unions that this rank owns so far
     double elastic{0};     ///< J, of the owned entities at the last measured sweep

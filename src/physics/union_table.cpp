@@ -112,15 +112,16 @@ void UnionTable::update_batch(std::size_t batch, int corner) {
     std::uint8_t* plane = lane_planes_.data() + place * lanes;
     for (std::size_t lane = 0; lane < lanes; ++lane) {
         const LocalEntity e = lattice_.entity(Site{static_cast<std::int32_t>(batch * lanes + lane)});
-        plane[lane] = static_cast<std::uint8_t>(e == LocalEntity{} ? base_plane : plane_of(slot(local_mass(e, corner))));
+        plane[lane] =
+            static_cast<std::uint8_t>(e == LocalEntity{} ? base_plane : plane_of(slot(local_mass(e, corner))));
     }
     const bool uniform = std::all_of(plane, plane + lanes, [&](std::uint8_t other) { return other == plane[0]; });
     batch_planes_[place] = uniform ? plane[0] : mixed;
 }
 
 std::size_t UnionTable::memory_bytes() const {
-    return lattice_.memory_bytes() + label_.capacity() + touched_.capacity() + in_use_.capacity() + batch_planes_.capacity() +
-           lane_planes_.capacity();
+    return lattice_.memory_bytes() + label_.capacity() + touched_.capacity() + in_use_.capacity() +
+           batch_planes_.capacity() + lane_planes_.capacity();
 }
 
 }  // namespace cracksim::physics

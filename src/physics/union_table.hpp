@@ -29,9 +29,7 @@ public:
     [[nodiscard]] int label(LocalMass m) const { return label_[m.index()]; }
     /// Touched: this rank advances the unions of the vertex, and has all their masses.
     [[nodiscard]] bool is_touched(VertexSite v) const { return touched_[v.index()] != 0; }
-    [[nodiscard]] Slot slot(LocalMass m) const {
-        return slot_of(lattice_.vertex(m), label(m));
-    }
+    [[nodiscard]] Slot slot(LocalMass m) const { return slot_of(lattice_.vertex(m), label(m)); }
     /// Of its local masses; none if the slot is empty.
     [[nodiscard]] LocalMass smallest_mass(Slot s) const;
     /// Calls action(mass) for the masses of an advanced union, ascending.

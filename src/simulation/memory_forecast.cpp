@@ -51,11 +51,11 @@ double state_bytes(const PartLoad& load, physics::Scheme scheme, double opened) 
     constexpr double per_entity = Hexahedron::corners * sizeof(std::uint8_t) + sizeof(std::int32_t);
     constexpr double planes_of_site = Hexahedron::corners * sizeof(std::uint8_t);
     constexpr double per_batch = Hexahedron::corners * sizeof(std::uint8_t) + physics::Merging::bytes_per_batch +
-                                 3 * lanes * sizeof(float) + 2 * sizeof(physics::EdgeBits) +
-                                 sizeof(std::uint32_t) + sizeof(std::int32_t);
+                                 3 * lanes * sizeof(float) + 2 * sizeof(physics::EdgeBits) + sizeof(std::uint32_t) +
+                                 sizeof(std::int32_t);
     constexpr double per_site = planes_of_site + sizeof(LocalEntity) + per_batch / lanes;
-    constexpr double per_vertex = 2 * sizeof(std::uint8_t) +
-                                  (sizeof(std::int32_t) * (1 + physics::planes) + sizeof(std::uint8_t)) / lanes;
+    constexpr double per_vertex =
+        2 * sizeof(std::uint8_t) + (sizeof(std::int32_t) * (1 + physics::planes) + sizeof(std::uint8_t)) / lanes;
     const double components = scheme == physics::Scheme::ab2 ? 13 : 10;
     // Blocks are made half as many again: on average a quarter of them is room.
     const double planes = 1 + opened * 1.25 * (physics::planes - 1);

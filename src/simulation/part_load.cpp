@@ -64,8 +64,9 @@ PartLoad load_of_box(const Box& box, double roughness) {
     PartLoad load;
     load.owned = whole(owned);
     load.local = whole(local);
-    const auto [along, width, height] = std::array{with_halo(box.cells[0], box.open_sides(0)), with_halo(box.cells[1], box.open_sides(1)),
-                                                   with_halo(box.cells[2], box.open_sides(2))};
+    const auto [along, width, height] =
+        std::array{with_halo(box.cells[0], box.open_sides(0)), with_halo(box.cells[1], box.open_sides(1)),
+                   with_halo(box.cells[2], box.open_sides(2))};
     load.sites = whole(local / box_local * padded(along) * width * height);
     load.vertex_sites = whole(local / box_local * padded(along) * (width + 1) * (height + 1));
     load.interfaces = whole(local / box_local *

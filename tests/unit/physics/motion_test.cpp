@@ -21,7 +21,8 @@ TEST(Motion, KeepsEachComponentOfEachSlotApart) {
         const double first = s.value() * 100.0 + static_cast<double>(quantity);
         return Vec3{first, first + 0.25, first + 0.5};
     };
-    constexpr std::size_t quantities[] = {Quantity::displacement, Quantity::increment, Quantity::force, Quantity::extrapolated};
+    constexpr std::size_t quantities[] = {Quantity::displacement, Quantity::increment, Quantity::force,
+                                          Quantity::extrapolated};
     for (const Slot s : unions.advanced()) {
         motion.open(s);
         for (const std::size_t quantity : quantities) {
