@@ -75,7 +75,7 @@ public:
     /// The side of a corner's vertex row, and its place along x.
     [[nodiscard]] static constexpr std::size_t side(int corner) {
         const auto& o = Hexahedron::offset[static_cast<std::size_t>(corner)];
-        return static_cast<std::size_t>(o[1] + 2 * o[2]);
+        return static_cast<std::size_t>(o[1]) + 2 * static_cast<std::size_t>(o[2]);
     }
     [[nodiscard]] static constexpr int along(int corner) {
         return Hexahedron::offset[static_cast<std::size_t>(corner)][0];
