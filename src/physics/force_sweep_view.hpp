@@ -23,11 +23,20 @@ struct Series {
     static constexpr double tiny_squared = 1e-24;
 };
 
-/// Some edges of the entities of a batch: by edge, a bit a lane.
+/// Some edges of the entities of a batch: for each edge a bit a lane.
 struct EdgeBits {
-    alignas(16) std::array<std::uint8_t, HexahedronPairs::edges> edge;
+    std::uint64_t first{0};   ///< edges 0 to 7
+    std::uint64_t second{0};  ///< edges 8 to 11
 
-    friend bool operator==(const EdgeBits&, const EdgeBits&) = default;
+    [[nodiscard]] bool any() const { return (first | second) != 0; }
+    [[nodiscard]] unsigned lanes(std::size_t edge) const {
+        return static_cast<unsigned>((edge < 8 ? first : second) >> shift(edge)) & 0xffU;
+    }
+    void add(std::size_t edge, std::uint64_t lanes) { (edge < 8 ? first : second) |= lanes << shift(edge); }
+    void remove(std::size_t edge, std::uint64_t lanes) { (edge < 8 ? first : second) &= ~(lanes << shift(edge)); }
+
+private:
+    [[nodiscard]] static constexpr std::size_t shift(std::size_t edge) { return edge % 8 * 8; }
 };
 
 /// An interaction's constants as the kernel wants them.

@@ -27,14 +27,15 @@ struct Outcome {
     unsigned exceeded[HexahedronPairs::edges];  ///< by edge, a bit a lane
 };
 
-/// d = d0 + du, and the extension |d|^2/L0^2 - 1 = (2 d0 + du).du / L0^2, without cancellation.
-struct Extended {
+/// d = d0 + du, the extension |d|^2/L0^2 - 1 = (2 d0 + du).du / L0^2, without cancellation, and dw.d.
+struct Stretched {
     V3 distance;
     V extension;
+    V rate;
 };
 
 template <std::size_t I>
-HWY_INLINE Extended Extend(const InteractionConstants& c, const V3& du) {
+HWY_INLINE Stretched Stretch(const InteractionConstants& c, const V3& du, const V3& dw) {
     const D d;
     const V scale = hn::Set(d, c.inverse_squared_length);
     if constexpr (I < HexahedronPairs::edges) {
@@ -47,12 +48,13 @@ HWY_INLINE Extended Extend(const InteractionConstants& c, const V3& du) {
         const V across = hn::MulAdd(second, second, hn::Mul(third, third));
         const V distance = hn::Add(rest, along);
         const V extension = hn::Mul(scale, hn::MulAdd(hn::Add(rest, distance), along, across));
-        return {{axis == 0 ? distance : du.x, axis == 1 ? distance : du.y, axis == 2 ? distance : du.z}, extension};
+        const V3 all{axis == 0 ? distance : du.x, axis == 1 ? distance : du.y, axis == 2 ? distance : du.z};
+        return {all, extension, Dot(dw, all)};
     } else {
         const V3 rest{hn::Set(d, c.rest[0]), hn::Set(d, c.rest[1]), hn::Set(d, c.rest[2])};
         const V3 distance{hn::Add(rest.x, du.x), hn::Add(rest.y, du.y), hn::Add(rest.z, du.z)};
         const V3 twice{hn::Add(rest.x, distance.x), hn::Add(rest.y, distance.y), hn::Add(rest.z, distance.z)};
-        return {distance, hn::Mul(scale, Dot(twice, du))};
+        return {distance, hn::Mul(scale, Dot(twice, du)), Dot(dw, distance)};
     }
 }
 
@@ -104,28 +106,19 @@ HWY_INLINE V SquaredStretch(V x, const Ratio& ratio) {
 }
 
 /// The force of interaction I on its first corner over d, `weight` times: weight (k g + z' q r^2) with q = dw.d, z' = z/(dt L0^2).
-struct Pull {
-    V factor;
-    V3 distance;
-};
-
 /// kPlain: all weights are above zero.
 template <std::size_t I, bool kPlain, bool kFar, bool kMeasure>
-HWY_INLINE Pull PullOf(const InteractionConstants& c, const V3& du, const V3& dw, V weight, const float* limit,
-                       Outcome& sums) {
+HWY_INLINE V Factor(const InteractionConstants& c, const Stretched& s, V weight, const float* limit, Outcome& sums) {
     const D d;
-    const Extended e = Extend<I>(c, du);
-    const Ratio ratio = kFar ? AnyRatio(e.extension) : NearRatio(e.extension);
-    const V q = Dot(dw, e.distance);
-    const V drag = hn::Mul(hn::Mul(hn::Set(d, c.viscosity_rate), q), hn::Mul(ratio.inverse, ratio.inverse));
-    const V factor = hn::Mul(weight, hn::MulAdd(hn::Set(d, c.stiffness), ratio.shortfall, drag));
-    sums.dissipated = hn::MulAdd(hn::Mul(weight, q), drag, sums.dissipated);
+    const Ratio ratio = kFar ? AnyRatio(s.extension) : NearRatio(s.extension);
+    const V drag = hn::Mul(hn::Mul(hn::Set(d, c.viscosity_rate), s.rate), hn::Mul(ratio.inverse, ratio.inverse));
+    sums.dissipated = hn::MulAdd(hn::Mul(weight, s.rate), drag, sums.dissipated);
     if constexpr (kMeasure) {
-        const V energy = hn::Mul(hn::Mul(weight, hn::Set(d, c.half_energy)), SquaredStretch(e.extension, ratio));
+        const V energy = hn::Mul(hn::Mul(weight, hn::Set(d, c.half_energy)), SquaredStretch(s.extension, ratio));
         sums.elastic = hn::Add(sums.elastic, energy);
     }
     if constexpr (!kFar) {
-        const V off = hn::Abs(hn::Sub(e.extension, hn::Set(d, Series::centre)));
+        const V off = hn::Abs(hn::Sub(s.extension, hn::Set(d, Series::centre)));
         // The ends of what is void or carried by another entity may be anywhere.
         sums.farthest = hn::Max(sums.farthest, kPlain ? off : hn::IfThenZeroElse(hn::Eq(weight, hn::Zero(d)), off));
     }
@@ -133,19 +126,19 @@ HWY_INLINE Pull PullOf(const InteractionConstants& c, const V3& du, const V3& dw
         constexpr std::size_t axis = I / HexahedronPairs::edges_per_axis;
         const hn::Rebind<float, D> df;
         const V bound = hn::PromoteTo(d, hn::LoadU(df, limit + axis * Lattice::lanes));
-        sums.exceeded[I] = Bits(hn::Gt(e.extension, bound));
+        sums.exceeded[I] = Bits(hn::Gt(s.extension, bound));
     }
-    return {factor, e.distance};
+    return hn::Mul(weight, hn::MulAdd(hn::Set(d, c.stiffness), ratio.shortfall, drag));
 }
 
-HWY_INLINE V3 Plus(const Pull& pull, const V3& sum) {
-    return {hn::MulAdd(pull.factor, pull.distance.x, sum.x), hn::MulAdd(pull.factor, pull.distance.y, sum.y),
-            hn::MulAdd(pull.factor, pull.distance.z, sum.z)};
+HWY_INLINE V3 Plus(V factor, const V3& distance, const V3& sum) {
+    return {hn::MulAdd(factor, distance.x, sum.x), hn::MulAdd(factor, distance.y, sum.y),
+            hn::MulAdd(factor, distance.z, sum.z)};
 }
 
-HWY_INLINE V3 Minus(const Pull& pull, const V3& sum) {
-    return {hn::NegMulAdd(pull.factor, pull.distance.x, sum.x), hn::NegMulAdd(pull.factor, pull.distance.y, sum.y),
-            hn::NegMulAdd(pull.factor, pull.distance.z, sum.z)};
+HWY_INLINE V3 Minus(V factor, const V3& distance, const V3& sum) {
+    return {hn::NegMulAdd(factor, distance.x, sum.x), hn::NegMulAdd(factor, distance.y, sum.y),
+            hn::NegMulAdd(factor, distance.z, sum.z)};
 }
 
 HWY_INLINE Outcome Nothing() {
@@ -181,7 +174,7 @@ HWY_INLINE void Collect(const Outcome& outcome, const std::uint8_t* weights, std
         sums.elastic = hn::MulAdd(owned, outcome.elastic, sums.elastic);
     }
     for (std::size_t edge = 0; edge < HexahedronPairs::edges; ++edge) {
-        exceeded.edge[edge] = static_cast<std::uint8_t>(exceeded.edge[edge] | outcome.exceeded[edge] << lane);
+        exceeded.add(edge, std::uint64_t{outcome.exceeded[edge]} << lane);
     }
 }
 
@@ -206,33 +199,47 @@ struct Corners {
     }
 };
 
-template <std::size_t I, bool kFar, bool kMeasure, class From>
-HWY_INLINE void AddInteraction(const SweepView& v, const From& from, V weight, const float* limits, Forces& forces,
-                               Outcome& outcome) {
+template <std::size_t I, class From>
+HWY_INLINE Stretched StretchOf(const SweepView& v, const From& from) {
     constexpr auto a = static_cast<std::size_t>(HexahedronPairs::corners[I][0]);
     constexpr auto b = static_cast<std::size_t>(HexahedronPairs::corners[I][1]);
-    const V3 du = Sub(from.template Displacement<b>(), from.template Displacement<a>());
-    const V3 dw = Sub(from.template VelocityIncrement<b>(), from.template VelocityIncrement<a>());
-    const Pull pull = PullOf<I, false, kFar, kMeasure>(v.interaction[I], du, dw, weight, limits, outcome);
-    forces.f[a] = Plus(pull, forces.f[a]);
-    forces.f[b] = Minus(pull, forces.f[b]);
+    return Stretch<I>(v.interaction[I], Sub(from.template Displacement<b>(), from.template Displacement<a>()),
+                      Sub(from.template VelocityIncrement<b>(), from.template VelocityIncrement<a>()));
 }
 
-/// What is carried of all 16 interactions, onto forces of zero.
+/// Calls action(I) for the interactions that are carried, I being a constant.
+template <class Action>
+HWY_INLINE void ForEachCarried(unsigned carried, Action&& action) {
+    const auto call_all = [&]<std::size_t... I>(std::index_sequence<I...>) {
+        const auto call = [&](auto i) {
+            if ((carried >> i & 1U) != 0) {
+                action(i);
+            }
+        };
+        (call(std::integral_constant<std::size_t, I>{}), ...);
+    };
+    call_all(std::make_index_sequence<HexahedronPairs::count>{});
+}
+
+/// What is carried of all 16 interactions, onto forces of zero. In three passes: one interaction is a long chain of operations, and
+/// only where several of them are close to each other in the program does the processor work on them at once.
 template <bool kFar, bool kMeasure, class From>
 HWY_INLINE void AddCarried(const SweepView& v, unsigned carried, const From& from, const std::uint8_t* weights,
                            const float* limits, Forces& forces, Outcome& outcome) {
     std::fill(std::begin(forces.f), std::end(forces.f), Zero3());
     outcome = Nothing();
-    const auto add = [&]<std::size_t... I>(std::index_sequence<I...>) {
-        const auto add_one = [&](auto i) {
-            if ((carried >> i & 1U) != 0) {
-                AddInteraction<i, kFar, kMeasure>(v, from, Weight(weights, i), limits, forces, outcome);
-            }
-        };
-        (add_one(std::integral_constant<std::size_t, I>{}), ...);
-    };
-    add(std::make_index_sequence<HexahedronPairs::count>{});
+    Stretched stretched[HexahedronPairs::count];
+    V factor[HexahedronPairs::count];
+    ForEachCarried(carried, [&](auto i) { stretched[i] = StretchOf<i>(v, from); });
+    ForEachCarried(carried, [&](auto i) {
+        factor[i] = Factor<i, false, kFar, kMeasure>(v.interaction[i], stretched[i], Weight(weights, i), limits, outcome);
+    });
+    ForEachCarried(carried, [&](auto i) {
+        V3& first = forces.f[HexahedronPairs::corners[i][0]];
+        V3& second = forces.f[HexahedronPairs::corners[i][1]];
+        first = Plus(factor[i], stretched[i].distance, first);
+        second = Minus(factor[i], stretched[i].distance, second);
+    });
 }
 
 /// In case of large stretches, the same with what holds everywhere.

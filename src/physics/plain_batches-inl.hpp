@@ -61,20 +61,6 @@ private:
     }
 };
 
-/// Forces summed so far; a first contribution needs no sum.
-struct PlainForces : Forces {
-    template <std::size_t C, bool kFirst>
-    HWY_INLINE void AddPull(const Pull& pull) {
-        f[C] = kFirst ? V3{hn::Mul(pull.factor, pull.distance.x), hn::Mul(pull.factor, pull.distance.y),
-                           hn::Mul(pull.factor, pull.distance.z)}
-                      : Plus(pull, f[C]);
-    }
-    template <std::size_t C, bool kFirst>
-    HWY_INLINE void SubPull(const Pull& pull) {
-        f[C] = Minus(pull, kFirst ? Zero3() : f[C]);
-    }
-};
-
 template <std::size_t... I>
 constexpr unsigned mask_of(std::index_sequence<I...>) {
     return ((1U << I) | ...);
@@ -91,26 +77,33 @@ constexpr bool is_first(unsigned list, std::size_t interaction, int corner) {
     return true;
 }
 
-/// kFull: no lane is void.
-template <std::size_t I, unsigned kList, bool kFull, bool kMeasure>
-HWY_INLINE void AddPlain(const SweepView& v, const PlainCorners& x, const std::uint8_t* weights, const float* limits,
-                         PlainForces& forces, Outcome& outcome) {
-    const D d;
-    constexpr auto a = static_cast<std::size_t>(HexahedronPairs::corners[I][0]);
-    constexpr auto b = static_cast<std::size_t>(HexahedronPairs::corners[I][1]);
-    const V weight = kFull && I >= HexahedronPairs::edges ? hn::Set(d, 1.0) : Weight(weights, I);
-    constexpr bool all_weigh = kFull && kList == mask_of(InsideRow{});
-    const V3 du = Sub(x.Displacement<b>(), x.Displacement<a>());
-    const V3 dw = Sub(x.VelocityIncrement<b>(), x.VelocityIncrement<a>());
-    const Pull pull = PullOf<I, all_weigh, false, kMeasure>(v.interaction[I], du, dw, weight, limits, outcome);
-    forces.template AddPull<a, is_first(kList, I, a)>(pull);
-    forces.template SubPull<b, is_first(kList, I, b)>(pull);
+/// A first contribution needs no sum.
+template <std::size_t I, unsigned kList>
+HWY_INLINE void AddPlain(V factor, const V3& distance, Forces& forces) {
+    constexpr int a = HexahedronPairs::corners[I][0];
+    constexpr int b = HexahedronPairs::corners[I][1];
+    const V3 product{hn::Mul(factor, distance.x), hn::Mul(factor, distance.y), hn::Mul(factor, distance.z)};
+    forces.f[a] = is_first(kList, I, a) ? product : Plus(factor, distance, forces.f[a]);
+    forces.f[b] = Minus(factor, distance, is_first(kList, I, b) ? Zero3() : forces.f[b]);
 }
 
+/// kFull: no lane is void. In three passes, as AddCarried.
 template <bool kFull, bool kMeasure, std::size_t... I>
 HWY_INLINE void AddAllPlain(const SweepView& v, const PlainCorners& x, const std::uint8_t* weights, const float* limits,
-                            PlainForces& forces, Outcome& outcome, std::index_sequence<I...> list) {
-    (AddPlain<I, mask_of(decltype(list){}), kFull, kMeasure>(v, x, weights, limits, forces, outcome), ...);
+                            Forces& forces, Outcome& outcome, std::index_sequence<I...>) {
+    const D d;
+    constexpr unsigned list = ((1U << I) | ...);
+    constexpr bool all_weigh = kFull && list == mask_of(InsideRow{});
+    const Stretched stretched[]{StretchOf<I>(v, x)...};
+    std::size_t at = 0;
+    V factor[sizeof...(I)];
+    ((factor[at] = Factor<I, all_weigh, false, kMeasure>(
+          v.interaction[I], stretched[at], kFull && I >= HexahedronPairs::edges ? hn::Set(d, 1.0) : Weight(weights, I),
+          limits, outcome),
+      ++at),
+     ...);
+    at = 0;
+    ((AddPlain<I, list>(factor[at], stretched[at].distance, forces), ++at), ...);
 }
 
 /// What each side's upper corners hand on to the next vector.
@@ -119,7 +112,7 @@ struct HandedOn {
 };
 
 template <std::size_t kSide>
-HWY_INLINE void AddSide(const PlainForces& forces, double* force, std::size_t stride, HandedOn& before) {
+HWY_INLINE void AddSide(const Forces& forces, double* force, std::size_t stride, HandedOn& before) {
     constexpr auto low = static_cast<std::size_t>(corners_of_side[kSide][0]);
     constexpr auto high = static_cast<std::size_t>(corners_of_side[kSide][1]);
     const V3 sum = Load3(force, stride);
@@ -151,7 +144,7 @@ HWY_NOINLINE void SweepPlain(SweepView& v, PlainRun& run, std::size_t batch, std
         const PlainCorners x{{run.side[0] + at, run.side[1] + at, run.side[2] + at, run.side[3] + at},
                              stride,
                              v.velocity_quantity * stride};
-        PlainForces forces;
+        Forces forces;
         Outcome outcome = Nothing();
         AddAllPlain<kFull, kMeasure>(v, x, weights, limits, forces, outcome, List{});
         if (IsFar(outcome)) {

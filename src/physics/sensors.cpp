@@ -100,12 +100,12 @@ std::vector<LocalDuplet> sense_exceeded(const Network& network, const State& sta
     std::vector<LocalDuplet> found;
     for (std::size_t batch = 0; batch < state.sensing.exceeded.size(); ++batch) {
         const EdgeBits& exceeded = state.sensing.exceeded[batch];
-        if (exceeded == EdgeBits{}) {
+        if (!exceeded.any()) {
             continue;
         }
         for (int edge = 0; edge < HexahedronPairs::edges; ++edge) {
             const auto i = static_cast<std::size_t>(edge);
-            for (unsigned bits = exceeded.edge[i] & state.sensing.watched[batch].edge[i]; bits != 0; bits &= bits - 1) {
+            for (unsigned bits = exceeded.lanes(i) & state.sensing.watched[batch].lanes(i); bits != 0; bits &= bits - 1) {
                 const std::size_t site = batch * Lattice::lanes + static_cast<std::size_t>(std::countr_zero(bits));
                 const LocalEntity e = state.lattice().entity(Site{static_cast<std::int32_t>(site)});
                 const double x = extension(network, state, e, edge);
@@ -135,17 +135,16 @@ std::vector<LocalDuplet> sense(const Network& network, const State& state, Prefi
 
 void set_sensing_limits(const Network& network, LocalEntity e, State& state) {
     const std::size_t site = state.lattice().site(e).index();
-    auto& watched = state.sensing.watched[site / Lattice::lanes].edge;
-    const auto bit = static_cast<std::uint8_t>(1U << site % Lattice::lanes);
+    EdgeBits& watched = state.sensing.watched[site / Lattice::lanes];
+    const std::uint64_t bit = std::uint64_t{1} << site % Lattice::lanes;
     for (int axis = 0; axis < 3; ++axis) {
         double lowest = std::numeric_limits<double>::infinity();
         for (int edge = axis * HexahedronPairs::edges_per_axis; edge < (axis + 1) * HexahedronPairs::edges_per_axis;
              ++edge) {
-            auto& lanes = watched[static_cast<std::size_t>(edge)];
-            lanes = static_cast<std::uint8_t>(lanes & ~bit);
+            watched.remove(static_cast<std::size_t>(edge), bit);
             for_each_sensor(network, state, e, edge, [&](LocalDuplet d) {
                 lowest = std::min(lowest, threshold(network, d));
-                lanes = static_cast<std::uint8_t>(lanes | bit);
+                watched.add(static_cast<std::size_t>(edge), bit);
             });
         }
         state.sensing.limit[(site / Lattice::lanes * 3 + static_cast<std::size_t>(axis)) * Lattice::lanes +
