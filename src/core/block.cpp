@@ -64,6 +64,13 @@ std::vector<EntityId> Block::around(VertexId vertex) const {
     return found;
 }
 
+bool Block::is_corner(EntityId entity, int corner) const {
+    const auto at = cell(entity);
+    const auto& o = Hexahedron::offset[static_cast<std::size_t>(corner)];
+    const auto ends = [&](std::size_t axis) { return at[axis] + o[axis] == (o[axis] == 0 ? 0 : cells_[axis]); };
+    return ends(0) && ends(1) && ends(2);
+}
+
 Vec3 Block::position(EntityId entity, int corner) const {
     const auto at = cell(entity);
     const auto& o = Hexahedron::offset[static_cast<std::size_t>(corner)];

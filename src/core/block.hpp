@@ -46,6 +46,8 @@ public:
     [[nodiscard]] VertexId vertex(EntityId entity, int corner) const;
     /// The entities that meet at a vertex, in ascending order.
     [[nodiscard]] std::vector<EntityId> around(VertexId vertex) const;
+    /// No other entity meets at this corner: it is one of the block's own.
+    [[nodiscard]] bool is_corner(EntityId entity, int corner) const;
     /// Rest position, m: the same bits from every entity that meets at the corner.
     [[nodiscard]] Vec3 position(EntityId entity, int corner) const;
 

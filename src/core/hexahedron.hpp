@@ -18,17 +18,27 @@ struct Hexahedron {
     static constexpr std::array<std::array<int, face_corners>, faces> face{
         {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
 
-    /// The corner at the other end of the edge along `axis` from `corner`.
+    /// The corner at the other end of the edge along `axis` from `corner`: this order differs in the same bits for all corners.
     static constexpr int across(int corner, int axis) {
-        auto o = offset[static_cast<std::size_t>(corner)];
-        o[static_cast<std::size_t>(axis)] = 1 - o[static_cast<std::size_t>(axis)];
-        for (int c = 0; c < corners; ++c) {
-            if (offset[static_cast<std::size_t>(c)] == o) {
-                return c;
+        constexpr std::array<unsigned, 3> bits{1, 3, 4};
+        return static_cast<int>(static_cast<unsigned>(corner) ^ bits[static_cast<std::size_t>(axis)]);
+    }
+    /// The place of a corner in a face's cycle, -1 if it is not on the face.
+    static constexpr int place_in_face(int face_index, int corner) {
+        return place[static_cast<std::size_t>(face_index)][static_cast<std::size_t>(corner)];
+    }
+
+private:
+    static constexpr std::array<std::array<int, corners>, faces> place = [] {
+        std::array<std::array<int, corners>, faces> found{};
+        for (std::size_t f = 0; f < faces; ++f) {
+            found[f].fill(-1);
+            for (std::size_t k = 0; k < face_corners; ++k) {
+                found[f][static_cast<std::size_t>(face[f][k])] = static_cast<int>(k);
             }
         }
-        return -1;
-    }
+        return found;
+    }();
 };
 
 }  // namespace cracksim

@@ -4,47 +4,73 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
+#include "core/contracts.hpp"
 #include "physics/advance.hpp"
 #include "physics/advance_view.hpp"
+#include "physics/sensors.hpp"
 #include "physics/supports.hpp"
-#include "physics/union_table.hpp"
+#include "physics/vectors-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::CappedTag<double, UnionTable::lanes>;
-using V = hn::Vec<D>;
+HWY_INLINE V NextIncrement(V increment, V mobility, V force) { return hn::MulAdd(mobility, force, increment); }
+
+template <bool kExtrapolate>
+HWY_INLINE void AdvanceLanes(double* first, std::size_t stride, V limit, hn::Mask<D>& sane) {
+    const D d;
+    const auto component = [&](std::size_t quantity) { return first + quantity * stride; };
+    const V mobility = hn::Load(d, component(Quantity::mobility));
+    for (std::size_t i = 0; i < 3; ++i) {
+        double* increment = component(Quantity::increment + i);
+        double* displacement = component(Quantity::displacement + i);
+        double* force = component(Quantity::force + i);
+        const V before = hn::Load(d, increment);
+        const V w = NextIncrement(before, mobility, hn::Load(d, force));
+        hn::Store(w, d, increment);
+        hn::Store(hn::Add(hn::Load(d, displacement), w), d, displacement);
+        hn::Store(hn::Zero(d), d, force);
+        if constexpr (kExtrapolate) {
+            const V next = hn::Sub(hn::Mul(hn::Set(d, 1.5), w), hn::Mul(hn::Set(d, 0.5), before));
+            hn::Store(next, d, component(Quantity::extrapolated + i));
+        }
+        sane = hn::And(sane, hn::Lt(hn::Abs(w), limit));
+    }
+}
 
 template <bool kExtrapolate>
 void AdvanceAll(AdvanceView& v) {
     const D d;
     const V limit = hn::Set(d, v.longest_increment);
-    auto sane = hn::Eq(limit, limit);
-    for (std::size_t s = v.first; s < v.end; s += hn::Lanes(d)) {
-        const V mobility = hn::LoadU(d, v.mobility + s);
-        for (int i = 0; i < 3; ++i) {
-            const V before = hn::LoadU(d, v.increment[i] + s);
-            const V w = hn::MulAdd(mobility, hn::LoadU(d, v.force[i] + s), before);
-            hn::StoreU(w, d, v.increment[i] + s);
-            hn::StoreU(hn::Add(hn::LoadU(d, v.displacement[i] + s), w), d, v.displacement[i] + s);
-            if constexpr (kExtrapolate) {
-                const V next = hn::Sub(hn::Mul(hn::Set(d, 1.5), w), hn::Mul(hn::Set(d, 0.5), before));
-                hn::StoreU(next, d, v.extrapolated[i] + s);
-            }
-            sane = hn::And(sane, hn::Lt(hn::Abs(w), limit));
+    auto sane = hn::Eq(hn::Zero(d), hn::Zero(d));
+    for (std::size_t at = 0; at < v.length; at += hn::Lanes(d)) {
+        AdvanceLanes<kExtrapolate>(v.base + at, v.base_stride, limit, sane);
+    }
+    for (double* const block : v.blocks) {
+        for (std::size_t lane = 0; lane < Lattice::lanes; lane += hn::Lanes(d)) {
+            AdvanceLanes<kExtrapolate>(block + lane, Motion::block_stride, limit, sane);
         }
     }
-    v.broken = !hn::AllTrue(d, sane);
+    v.broken = v.broken || !hn::AllTrue(d, sane);
 }
 
 void Advance(AdvanceView& v) {
-    if (v.extrapolated[0] != nullptr) {
+    if (v.extrapolates) {
         AdvanceAll<true>(v);
     } else {
         AdvanceAll<false>(v);
+    }
+}
+
+void NextIncrements(const NextIncrementView& v) {
+    const D d;
+    for (std::size_t at = 0; at < v.count; at += hn::Lanes(d)) {
+        const V next =
+            NextIncrement(hn::LoadU(d, v.increment + at), hn::LoadU(d, v.mobility + at), hn::LoadU(d, v.force + at));
+        hn::StoreU(next, d, v.next + at);
     }
 }
 
@@ -56,16 +82,16 @@ HWY_AFTER_NAMESPACE();
 namespace cracksim::physics {
 
 HWY_EXPORT(Advance);
+HWY_EXPORT(NextIncrements);
 
 namespace {
 
 constexpr double longest_increment_in_edges = 100;
 
-/// A held union before a step, to put its held components right afterwards.
-struct HeldBefore {
+/// A union before a step, to put right afterwards what is not its own to decide.
+struct Before {
     Vec3 displacement;
     Vec3 increment;
-    Vec3 extrapolated;
 };
 
 double longest_increment(const Network& network) {
@@ -73,58 +99,40 @@ double longest_increment(const Network& network) {
     return longest_increment_in_edges * std::max({edge.x, edge.y, edge.z});
 }
 
-AdvanceView view_of(const Network& network, State& state) {
-    AdvanceView v{};
-    for (int axis = 0; axis < 3; ++axis) {
-        v.displacement[axis] = state.displacement.component(axis);
-        v.increment[axis] = state.increment.component(axis);
-        v.extrapolated[axis] = state.scheme == Scheme::ab2 ? state.extrapolated.component(axis) : nullptr;
-        v.force[axis] = state.force.component(axis);
+void extrapolate(State& state, Slot s, Vec3 now, Vec3 before) {
+    if (state.scheme == Scheme::ab2) {
+        state.set_velocity_increment(s, 1.5 * now - 0.5 * before);
     }
-    v.mobility = state.mobility.data();
-    v.first = state.unions.first_advanced().index();
-    v.end = state.unions.capacity();
-    v.longest_increment = longest_increment(network);
-    return v;
-}
-
-std::vector<HeldBefore> remember_held(const State& state) {
-    std::vector<HeldBefore> before;
-    for (const Held& held : state.held) {
-        const std::size_t s = held.slot.index();
-        before.push_back(
-            {state.displacement[s], state.increment[s], state.scheme == Scheme::ab2 ? state.extrapolated[s] : Vec3{}});
-    }
-    return before;
 }
 
 /// The held components move as prescribed; the force that this takes does work on the union.
-void put_held_right(const Network& network, State& state, const std::vector<HeldBefore>& before) {
-    for (std::size_t i = 0; i < before.size(); ++i) {
-        const Slot slot = state.held[i].slot;
-        const std::size_t s = slot.index();
-        const Vec3 free = state.increment[s];
-        const Vec3 w = prescribed(network, state, slot, free, 0.5);
-        state.increment.set(s, w);
-        state.displacement.set(s, before[i].displacement + w);
-        if (state.scheme == Scheme::ab2) {
-            state.extrapolated.set(s, 1.5 * w - 0.5 * before[i].increment);
-        }
-        if (network.owned(entity_of(state.unions.smallest_mass(slot)))) {
-            const Vec3 support_force = (1.0 / state.mobility[s]) * (w - free);
-            state.external += 0.5 * dot(support_force, w + before[i].increment);
-        }
+void put_held_right(const Network& network, State& state, Slot slot, const Before& before) {
+    const Vec3 free = state.increment(slot);
+    const Vec3 w = prescribed(network, state, slot, free, 0.5);
+    state.set_increment(slot, w);
+    state.set_displacement(slot, before.displacement + w);
+    extrapolate(state, slot, w, before.increment);
+    if (network.owned(entity_of(state.unions.smallest_mass(slot)))) {
+        const Vec3 support_force = (1.0 / state.mobility(slot)) * (w - free);
+        state.external += 0.5 * dot(support_force, w + before.increment);
     }
+}
+
+void put_received_right(State& state, Slot slot, const Before& before, Vec3 increment) {
+    state.set_increment(slot, increment);
+    state.set_displacement(slot, before.displacement + increment);
+    extrapolate(state, slot, increment, before.increment);
 }
 
 bool makes_sense(Vec3 w, double longest) {
     return std::abs(w.x) < longest && std::abs(w.y) < longest && std::abs(w.z) < longest;
 }
 
+/// Call before state.step is that of the new motion.
 Breakdown find_breakdown(const Network& network, const State& state) {
     Breakdown found{state.step + 1, MassId{}, true};
-    for (Slot s = state.unions.first_advanced(); s < state.unions.end(); ++s) {
-        const Vec3 w = state.increment[s.index()];
+    for (const Slot s : state.unions.advanced()) {
+        const Vec3 w = state.increment(s);
         const MassId mass = network.mass(state.unions.smallest_mass(s));
         if (!makes_sense(w, longest_increment(network)) && (found.mass == MassId{} || mass < found.mass)) {
             found.mass = mass;
@@ -134,42 +142,158 @@ Breakdown find_breakdown(const Network& network, const State& state) {
     return found;
 }
 
+/// Advances the rows of vertices one by one.
+class Advancer {
+public:
+    Advancer(const Network& network, State& state, std::span<const Vec3> received)
+        : network_{&network}, state_{&state}, received_{received}, longest_{longest_increment(network)} {}
+
+    void advance_row(std::size_t row) {
+        remember(row);
+        const Lattice::VertexRow& vertices = state_->lattice().vertex_rows()[row];
+        const auto first = static_cast<std::size_t>(vertices.first);
+        const auto length = static_cast<std::size_t>(vertices.length);
+        find_blocks(first / Lattice::lanes, length / Lattice::lanes);
+        Motion& motion = state_->motion;
+        AdvanceView view{motion.base() + first,
+                         motion.base_stride(),
+                         length,
+                         blocks_,
+                         state_->scheme == Scheme::ab2,
+                         longest_,
+                         broken_};
+        HWY_DYNAMIC_DISPATCH(Advance)(view);
+        broken_ = view.broken;
+        put_right(row);
+    }
+
+    /// Some increment made no sense.
+    [[nodiscard]] bool broken() const { return broken_; }
+
+private:
+    void find_blocks(std::size_t first_group, std::size_t groups) {
+        blocks_.clear();
+        for (std::size_t group = first_group; group < first_group + groups; ++group) {
+            for (unsigned bits = state_->motion.planes_in_use()[group]; bits != 0; bits &= bits - 1) {
+                blocks_.push_back(state_->motion.block(group, std::countr_zero(bits)));
+            }
+        }
+    }
+
+    void remember(std::size_t row) {
+        before_.clear();
+        const auto keep = [&](Slot s) { before_.push_back({state_->displacement(s), state_->increment(s)}); };
+        for (const std::size_t i : state_->held_in_row[row]) {
+            keep(state_->held[i].slot);
+        }
+        for (const std::size_t i : state_->received_in_row[row]) {
+            keep(state_->unions.slot(network_->received()[i]));
+        }
+    }
+
+    void put_right(std::size_t row) {
+        auto before = before_.begin();
+        for (const std::size_t i : state_->held_in_row[row]) {
+            const Slot slot = state_->held[i].slot;
+            put_held_right(*network_, *state_, slot, *before++);
+            broken_ = broken_ || !makes_sense(state_->increment(slot), longest_);
+        }
+        for (const std::size_t i : state_->received_in_row[row]) {
+            put_received_right(*state_, state_->unions.slot(network_->received()[i]), *before++, received_[i]);
+        }
+    }
+
+    const Network* network_;
+    State* state_;
+    std::span<const Vec3> received_;
+    double longest_;
+    bool broken_{false};
+    std::vector<double*> blocks_;
+    std::vector<Before> before_;
+};
+
 }  // namespace
 
-void advance(const Network& network, State& state) {
-    const std::vector<HeldBefore> before = remember_held(state);
-    AdvanceView view = view_of(network, state);
-    HWY_DYNAMIC_DISPATCH(Advance)(view);
-    put_held_right(network, state, before);
-    const bool held_broken = std::ranges::any_of(state.held, [&](const Held& held) {
-        return !makes_sense(state.increment[held.slot.index()], longest_increment(network));
-    });
-    if ((view.broken || held_broken) && !state.breakdown) {
+void advance(const Network& network, State& state, std::span<const Vec3> received, Measure measure) {
+    CRACKSIM_EXPECT(received.size() == network.received().size());
+    const auto& rows = state.lattice().cell_rows();
+    Advancer advancer{network, state, received};
+    ForceSweep sweep{network, state, measure};
+    std::vector<bool> advanced(state.lattice().vertex_rows().size(), false);
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        for (const std::int32_t vertex_row : rows[row].vertex_row) {
+            const auto index = static_cast<std::size_t>(vertex_row);
+            if (!advanced[index]) {
+                advancer.advance_row(index);
+                advanced[index] = true;
+            }
+        }
+        sweep.sweep_row(row);
+    }
+    if (advancer.broken() && !state.breakdown) {
         const Breakdown found = find_breakdown(network, state);
         if (found.mass != MassId{}) {
             state.breakdown = found;
         }
     }
     ++state.step;
+    sweep.finish();
 }
 
-void advance_received(State& state, std::span<const Vec3> increments) {
-    for (std::size_t s = 0; s < increments.size(); ++s) {
-        const Vec3 w = increments[s];
-        if (state.scheme == Scheme::ab2) {
-            state.extrapolated.set(s, 1.5 * w - 0.5 * state.increment[s]);
+std::vector<Vec3> next_increments(const Network& network, const State& state, std::span<const LocalMass> masses) {
+    const std::size_t count = (masses.size() + Lattice::lanes - 1) / Lattice::lanes * Lattice::lanes;
+    std::vector<Vec3> next(masses.size());
+    std::vector<double> increment(count), mobility(count), force(count), found(count);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (std::size_t i = 0; i < masses.size(); ++i) {
+            const Slot s = state.unions.slot(masses[i]);
+            increment[i] = state.increment(s)[axis];
+            mobility[i] = state.mobility(s);
+            force[i] = state.force(s)[axis];
         }
-        state.increment.set(s, w);
-        state.displacement.set(s, state.displacement[s] + w);
+        HWY_DYNAMIC_DISPATCH(NextIncrements)({increment.data(), mobility.data(), force.data(), found.data(), count});
+        for (std::size_t i = 0; i < masses.size(); ++i) {
+            next[i][axis] = found[i];
+        }
+    }
+    for (std::size_t i = 0; !state.held.empty() && i < masses.size(); ++i) {
+        next[i] = prescribed(network, state, state.unions.slot(masses[i]), next[i], 0.5);
+    }
+    return next;
+}
+
+void set_received(const Network& network, State& state, std::span<const StartIncrements> increments) {
+    for (std::size_t i = 0; i < increments.size(); ++i) {
+        const Slot s = state.unions.slot(network.received()[i]);
+        state.set_increment(s, increments[i].increment);
+        if (state.scheme == Scheme::ab2) {
+            state.set_velocity_increment(s, increments[i].extrapolated);
+        }
     }
 }
 
-void set_received(State& state, std::span<const StartIncrements> increments) {
-    for (std::size_t s = 0; s < increments.size(); ++s) {
-        state.increment.set(s, increments[s].increment);
-        if (state.scheme == Scheme::ab2) {
-            state.extrapolated.set(s, increments[s].extrapolated);
+void set_received_labels(const Network& network, State& state, std::span<const std::uint8_t> labels) {
+    std::vector<VertexSite> changed;
+    std::vector<Slot> left;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const LocalMass m = network.received()[i];
+        const Slot before = state.unions.slot(m);
+        if (state.unions.set_received_label(m, labels[i])) {
+            state.motion.open(state.unions.slot(m));
+            state.motion.copy(before, state.unions.slot(m));
+            left.push_back(before);
+            changed.push_back(state.lattice().vertex(m));
         }
+    }
+    for (const Slot s : left) {
+        if (state.unions.smallest_mass(s) == LocalMass{}) {
+            state.motion.clear(s);
+        }
+    }
+    std::ranges::sort(changed);
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    for (const VertexSite v : changed) {
+        update_edges(network, v, state);
     }
 }
 

@@ -1,20 +1,28 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 namespace cracksim::physics {
 
-/// Plain pointers into the state for one advance over a run of slots.
+/// A row of vertices for one advance: the base plane, and the blocks of its other planes (motion.hpp).
 struct AdvanceView {
-    double* displacement[3];
-    double* increment[3];
-    double* extrapolated[3];  ///< null with cordis
-    const double* force[3];
-    const double* mobility;
-    std::size_t first;         ///< slot, a multiple of the lanes
-    std::size_t end;           ///< likewise
+    double* base;
+    std::size_t base_stride;
+    std::size_t length;
+    std::span<double* const> blocks;
+    bool extrapolates;
     double longest_increment;  ///< m; beyond it a motion makes no sense
     bool broken;               ///< out: some increment is beyond it or not a number
+};
+
+/// Some slots' components along one axis, for their next increments.
+struct NextIncrementView {
+    const double* increment;
+    const double* mobility;
+    const double* force;
+    double* next;
+    std::size_t count;  ///< a multiple of the lanes
 };
 
 }  // namespace cracksim::physics

@@ -6,12 +6,12 @@ namespace {
 
 /// dt v(n).
 Vec3 centred_increment(const State& state, Slot s) {
-    const Vec3 half_kick = 0.5 * state.mobility[s.index()] * state.force[s.index()];
-    Vec3 increment = state.increment[s.index()];
-    const std::int32_t held = state.held_of_slot[s.index()];
+    const Vec3 half_kick = 0.5 * state.mobility(s) * state.force(s);
+    Vec3 increment = state.increment(s);
+    const auto held = state.held_of_slot.find(s);
     for (int axis = 0; axis < 3; ++axis) {
         const bool is_held =
-            held >= 0 && state.held[static_cast<std::size_t>(held)].support[static_cast<std::size_t>(axis)] >= 0;
+            held != state.held_of_slot.end() && state.held[held->second].support[static_cast<std::size_t>(axis)] >= 0;
         increment[axis] += is_held ? 0.0 : half_kick[axis];
     }
     return increment;
@@ -21,10 +21,10 @@ Vec3 centred_increment(const State& state, Slot s) {
 
 double kinetic_energy(const Network& network, const State& state) {
     double energy = 0;
-    for (Slot s = state.unions.first_advanced(); s < state.unions.end(); ++s) {
+    for (const Slot s : state.unions.advanced()) {
         if (network.owned(entity_of(state.unions.smallest_mass(s)))) {
             const Vec3 increment = centred_increment(state, s);
-            energy += 0.5 * dot(increment, increment) / state.mobility[s.index()];
+            energy += 0.5 * dot(increment, increment) / state.mobility(s);
         }
     }
     return energy;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <span>
 
+#include "physics/force_sweep_view.hpp"
 #include "physics/network.hpp"
 #include "physics/state.hpp"
 
@@ -9,17 +11,34 @@ namespace cracksim::physics {
 
 enum class Measure { nothing, elastic_energy };
 
-/// Forces of all local entities, owned and halo alike, at the current state, summed over the masses of each union in
-/// ascending order of their ids: state.force. On the way it marks the entities
-/// whose edges are stretched enough for a sensor to trigger (state.sensing.exceeded), keeps state.dissipated
-/// up to date for the owned entities and, if asked, sets state.elastic.
+/// The forces of the interactions of a row of entities, from its vertex rows and onto them, as a part of one sweep over all rows in
+/// ascending order. A union's force is the sum over its masses in ascending order of their ids, of what their entities carry
+/// (merging.hpp); it is whole after the last row that meets its vertex.
 ///
 /// F_i = [ k e + z (v_j - v_i).n ] n  with  d = d0 + u_j - u_i,  n = d/|d|  and the elongation in its stable form
 /// e = ((2 d0 + du).du) / (|d| + L0).
+class ForceSweep {
+public:
+    /// Keeps references; for one sweep.
+    ForceSweep(const Network& network, State& state, Measure measure);
+
+    void sweep_row(std::size_t row);
+    /// Dissipated and, if measured, elastic energy to the state.
+    void finish();
+
+private:
+    State* state_;
+    Measure measure_;
+    SweepView view_;
+};
+
+/// Forces of all local entities, owned and halo alike, at the current state: state.force. On the way it marks the entities
+/// whose edges are stretched enough for a sensor to trigger (state.sensing.exceeded), keeps state.dissipated
+/// up to date for the owned entities and, if asked, sets state.elastic.
 void accumulate_forces(const Network& network, State& state, Measure measure);
 
-/// The forces on the masses of one entity, N, with the bits that the sweep gives them.
-[[nodiscard]] std::array<Vec3, Hexahedron::corners> entity_forces(const Network& network, const State& state,
-                                                                  LocalEntity e);
+/// The forces on the masses of some entities (up to Lattice::lanes), N, each from all 16 interactions of its entity.
+[[nodiscard]] std::array<std::array<Vec3, Hexahedron::corners>, Lattice::lanes> entity_forces(
+    const Network& network, const State& state, std::span<const LocalEntity> entities);
 
 }  // namespace cracksim::physics

@@ -5,37 +5,80 @@
 #include <cstdint>
 
 #include "physics/entity_model.hpp"
-#include "physics/union_table.hpp"
+#include "physics/lattice.hpp"
+#include "physics/motion.hpp"
 
 namespace cracksim::physics {
 
+/// The polynomial P of NearRatio, for |x - centre| <= reach: minimax for the residual, degree 4.
+struct Series {
+    static constexpr double p0 = 0.49968050192365143;
+    static constexpr double p1 = -0.3729833863862425;
+    static constexpr double p2 = 0.3226122799509682;
+    static constexpr double p3 = -0.31894107644253683;
+    static constexpr double p4 = 0.2095730915886624;
+    static constexpr double centre = 0.075;
+    static constexpr double reach = 0.425;
+    /// Below this |d|^2/L0^2 the direction is not defined.
+    static constexpr double tiny_squared = 1e-24;
+};
+
+/// Some edges of the entities of a batch: for each edge a bit a lane.
+struct EdgeBits {
+    std::uint64_t first{0};   ///< edges 0 to 7
+    std::uint64_t second{0};  ///< edges 8 to 11
+
+    [[nodiscard]] bool any() const { return (first | second) != 0; }
+    [[nodiscard]] unsigned lanes(std::size_t edge) const {
+        return static_cast<unsigned>((edge < 8 ? first : second) >> shift(edge)) & 0xffU;
+    }
+    void add(std::size_t edge, std::uint64_t lanes) { (edge < 8 ? first : second) |= lanes << shift(edge); }
+    void remove(std::size_t edge, std::uint64_t lanes) { (edge < 8 ? first : second) &= ~(lanes << shift(edge)); }
+
+private:
+    [[nodiscard]] static constexpr std::size_t shift(std::size_t edge) { return edge % 8 * 8; }
+};
+
 /// An interaction's constants as the kernel wants them.
 struct InteractionConstants {
-    double rest[3];         ///< d0, m
-    double rest_length;     ///< L0, m
-    double stiffness;       ///< k, N/m
-    double viscosity_rate;  ///< z/dt, N/m
-    double tiny_squared;    ///< below this |d|^2 the direction is not defined and the force is 0, m2
+    double rest[3];                 ///< d0, m
+    double inverse_squared_length;  ///< 1/L0^2, 1/m2
+    double stiffness;               ///< k, N/m
+    double viscosity_rate;          ///< z/(dt L0^2), N/m3
+    double half_energy;             ///< k L0^2/2, J
 };
 
-/// Plain pointers into network and state for one sweep.
-struct ForceSweepView {
-    std::array<InteractionConstants, HexahedronPairs::count> interaction;
-    const double* displacement[3];
-    const double* velocity_increment[3];
-    const std::int32_t* slot[Hexahedron::corners];
-    const std::uint8_t* batch_runs;
-    const std::uint8_t* batch_adds_by_corner;
-    const double* owned;  ///< 1 for owned entities, else 0
-    const double* limit[3];
-    std::uint8_t* exceeded[3];
-    double* force[3];  ///< by slot
+/// A row of cells: its batches, and the vertices of its first cell's lower corners.
+struct RowView {
+    std::size_t vertex[Lattice::sides];
+    std::size_t first_batch;
     std::size_t batches;
-    double dissipated;  ///< out: sum of (z/dt) (dw.n)^2, J
-    double elastic;     ///< out: sum of k e^2 / 2, J
 };
 
-/// Forces on the corners of a batch of entities: [component][corner][lane], N.
-using BatchForces = double[3][Hexahedron::corners][UnionTable::lanes];
+/// Plain pointers into network and state, the same for all rows.
+struct SweepView {
+    std::array<InteractionConstants, HexahedronPairs::count> interaction;
+    double* base;  ///< the motion (motion.hpp)
+    std::size_t base_stride;
+    double* blocks;
+    std::size_t block_size;
+    const std::int32_t* block_of;  ///< [group of vertices][plane]
+    std::size_t velocity_quantity;
+    const std::uint8_t* planes;       ///< [batch][corner]
+    const std::uint8_t* lane_planes;  ///< [batch][corner][lane]
+    const std::uint8_t* weights;      ///< [batch][row][lane]
+    const std::uint32_t* carried;     ///< [batch]
+    const float* limits;              ///< [batch][axis][lane]
+    EdgeBits* exceeded;               ///< [batch]: edges stretched beyond their limit
+    double dissipated;                ///< out: sum of (z/dt) (dw.n)^2, J
+    double elastic;                   ///< out: sum of k e^2 / 2, J
+};
+
+/// Some entities, wherever they are: [component][corner][lane]; in: u and what damping takes for w, m; out: forces, N.
+struct GatheredEntities {
+    double displacement[3][Hexahedron::corners][Lattice::lanes];
+    double velocity_increment[3][Hexahedron::corners][Lattice::lanes];
+    double force[3][Hexahedron::corners][Lattice::lanes];
+};
 
 }  // namespace cracksim::physics

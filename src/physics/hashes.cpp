@@ -19,9 +19,9 @@ std::uint64_t hash(const DupletEvent& event) {
 }
 
 std::uint64_t motion_hash(const State& state, LocalMass m) {
-    const std::size_t s = state.unions.slot(m).index();
-    const std::uint64_t h = mix(mix(0, state.displacement[s]), state.increment[s]);
-    return state.scheme == Scheme::ab2 ? mix(h, state.extrapolated[s]) : h;
+    const Slot s = state.unions.slot(m);
+    const std::uint64_t h = mix(mix(0, state.displacement(s)), state.increment(s));
+    return state.scheme == Scheme::ab2 ? mix(h, state.velocity_increment(s)) : h;
 }
 
 std::uint64_t state_hash(const Network& network, const State& state) {

@@ -10,33 +10,6 @@
 
 namespace cracksim::physics {
 
-namespace {
-
-int place_in_face(int face, int corner) {
-    const auto& cycle = Hexahedron::face[static_cast<std::size_t>(face)];
-    const auto found = std::ranges::find(cycle, corner);
-    return found == cycle.end() ? -1 : static_cast<int>(found - cycle.begin());
-}
-
-int partner_place(int rotation, int k) {
-    return (rotation - k + 2 * Hexahedron::face_corners) % Hexahedron::face_corners;
-}
-
-}  // namespace
-
-int Interface::corner_a(int k) const { return Hexahedron::face[face_a][static_cast<std::size_t>(k)]; }
-
-int Interface::corner_b(int k) const {
-    return Hexahedron::face[face_b][static_cast<std::size_t>(partner_place(rotation, k))];
-}
-
-int Interface::duplet_at_a(int corner) const { return place_in_face(face_a, corner); }
-
-int Interface::duplet_at_b(int corner) const {
-    const int place = place_in_face(face_b, corner);
-    return place < 0 ? -1 : partner_place(rotation, place);
-}
-
 bool Support::holds(Vec3 p) const {
     return p.x >= box[0].x && p.x <= box[1].x && p.y >= box[0].y && p.y <= box[1].y && p.z >= box[0].z &&
            p.z <= box[1].z;
@@ -102,19 +75,14 @@ void Network::find_interfaces() {
 }
 
 std::optional<Tie> Network::tie_over(LocalMass m, int face) const {
-    const LocalEntity e = entity_of(m);
-    const std::int32_t index = interface_at(e, face);
-    if (index < 0) {
+    const auto duplet = duplet_over(m, face);
+    if (!duplet) {
         return std::nullopt;
     }
-    const Interface& shared = interfaces_[static_cast<std::size_t>(index)];
-    const bool at_a = shared.a == e;
-    const int k = at_a ? shared.duplet_at_a(corner_of(m)) : shared.duplet_at_b(corner_of(m));
-    if (k < 0) {
-        return std::nullopt;
-    }
-    return Tie{LocalDuplet{index * duplets_per_interface + k},
-               at_a ? local_mass(shared.b, shared.corner_b(k)) : local_mass(shared.a, shared.corner_a(k))};
+    const Interface& shared = interfaces_[duplet->index() / duplets_per_interface];
+    const int k = duplet->value() % duplets_per_interface;
+    return Tie{*duplet, shared.a == entity_of(m) ? local_mass(shared.b, shared.corner_b(k))
+                                                 : local_mass(shared.a, shared.corner_a(k))};
 }
 
 void Network::find_duplets(Duplets duplets) {

@@ -28,11 +28,21 @@ struct Interface {
     std::uint8_t face_b;
     std::uint8_t rotation;
 
-    [[nodiscard]] int corner_a(int k) const;
-    [[nodiscard]] int corner_b(int k) const;
+    [[nodiscard]] int corner_a(int k) const { return Hexahedron::face[face_a][static_cast<std::size_t>(k)]; }
+    [[nodiscard]] int corner_b(int k) const {
+        return Hexahedron::face[face_b][static_cast<std::size_t>(partner_place(k))];
+    }
     /// The k of the duplet at a corner of a (or of b), or -1 if the corner is not on the face.
-    [[nodiscard]] int duplet_at_a(int corner) const;
-    [[nodiscard]] int duplet_at_b(int corner) const;
+    [[nodiscard]] int duplet_at_a(int corner) const { return Hexahedron::place_in_face(face_a, corner); }
+    [[nodiscard]] int duplet_at_b(int corner) const {
+        const int place = Hexahedron::place_in_face(face_b, corner);
+        return place < 0 ? -1 : partner_place(place);
+    }
+
+private:
+    [[nodiscard]] int partner_place(int k) const {
+        return (rotation - k + 2 * Hexahedron::face_corners) % Hexahedron::face_corners;
+    }
 };
 
 /// Prescribed velocity of the masses whose rest position is inside a box; an empty component is free. m/s, of (m, s).
@@ -72,6 +82,8 @@ public:
     [[nodiscard]] const EntityModel& model() const { return model_; }
     [[nodiscard]] std::int32_t entity_count() const { return static_cast<std::int32_t>(entities_.size()); }
     [[nodiscard]] std::int32_t mass_count() const { return entity_count() * Hexahedron::corners; }
+    /// Ascending.
+    [[nodiscard]] const IdArray<LocalEntity, EntityId>& entities() const { return entities_; }
     [[nodiscard]] EntityId entity(LocalEntity e) const { return entities_[e]; }
     [[nodiscard]] bool owned(LocalEntity e) const { return owned_[e] != 0; }
     [[nodiscard]] MassId mass(LocalMass m) const { return mass_id(entities_[entity_of(m)], corner_of(m)); }
@@ -83,6 +95,17 @@ public:
     /// Index of the interface on a face of an entity; -1 on the block's boundary or where the neighbour is not local.
     [[nodiscard]] std::int32_t interface_at(LocalEntity e, int face) const {
         return interface_of_face_[e.index() * Hexahedron::faces + static_cast<std::size_t>(face)];
+    }
+    /// The duplet that would tie a mass over a face of its entity; none where there is no interface or the mass is not on the face.
+    [[nodiscard]] std::optional<LocalDuplet> duplet_over(LocalMass m, int face) const {
+        const LocalEntity e = entity_of(m);
+        const std::int32_t index = interface_at(e, face);
+        if (index < 0) {
+            return std::nullopt;
+        }
+        const Interface& shared = interfaces_[static_cast<std::size_t>(index)];
+        const int k = shared.a == e ? shared.duplet_at_a(corner_of(m)) : shared.duplet_at_b(corner_of(m));
+        return k < 0 ? std::nullopt : std::optional{LocalDuplet{index * duplets_per_interface + k}};
     }
     /// The mass that meets this one over a face, and the duplet that would tie them; none where there is no interface or
     /// the mass is not on the face.

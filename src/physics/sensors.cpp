@@ -1,6 +1,7 @@
 #include "physics/sensors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -16,11 +17,15 @@ struct Reach {
     LocalMass p;
     LocalMass q;
     Vec3 rest;
-    double edge_p;  ///< rest length of the edge from A to P, m
-    double edge_q;
 };
 
-Reach reach_of(const Network& network, const Interface& face, int k) {
+double threshold(const Network& network, LocalDuplet d) {
+    return network.threshold(d.value() / Network::duplets_per_interface, d.value() % Network::duplets_per_interface);
+}
+
+Reach reach_of(const Network& network, LocalDuplet d) {
+    const Interface& face = network.interfaces()[d.index() / Network::duplets_per_interface];
+    const int k = d.value() % Network::duplets_per_interface;
     const int a = face.corner_a(k);
     const int b = face.corner_b(k);
     const int p = Hexahedron::across(a, face.face_a / 2);
@@ -28,54 +33,88 @@ Reach reach_of(const Network& network, const Interface& face, int k) {
     const auto& corner = network.model().rest_corner;
     const Vec3 to_p = corner[static_cast<std::size_t>(p)] - corner[static_cast<std::size_t>(a)];
     const Vec3 to_q = corner[static_cast<std::size_t>(q)] - corner[static_cast<std::size_t>(b)];
-    return {local_mass(face.a, p), local_mass(face.b, q), to_p - to_q, norm(to_p), norm(to_q)};
+    return {local_mass(face.a, p), local_mass(face.b, q), to_p - to_q};
 }
 
-bool triggers(const Network& network, const State& state, std::int32_t interface, int k) {
-    const Reach reach = reach_of(network, network.interfaces()[static_cast<std::size_t>(interface)], k);
-    const Vec3 du =
-        state.displacement[state.unions.slot(reach.p).index()] - state.displacement[state.unions.slot(reach.q).index()];
+bool triggers(const Network& network, const State& state, LocalDuplet d) {
+    const Reach reach = reach_of(network, d);
+    const Vec3 du = state.displacement(state.unions.slot(reach.p)) - state.displacement(state.unions.slot(reach.q));
     const Vec3 distance = reach.rest + du;
     const double rest = norm(reach.rest);
     const double elongation = dot(reach.rest + distance, du) / (norm(distance) + rest);
-    return elongation > network.threshold(interface, k) * rest;
+    return elongation > threshold(network, d) * rest;
 }
 
-void sense_interface(const Network& network, const State& state, std::int32_t interface,
-                     std::vector<LocalDuplet>& found) {
-    for (int k = 0; k < Network::duplets_per_interface; ++k) {
-        if (state.sensing.is_active(interface, k) && triggers(network, state, interface, k)) {
-            found.emplace_back(interface * Network::duplets_per_interface + k);
-        }
+/// The extension |d|^2/L0^2 - 1 up to which both edges under a sensor may go before it can trigger: they are in line, so with stretches
+/// up to s the sum of their lengths is at most (1 + s) R0.
+double extension_limit(double lowest_threshold) {
+    const double length = (1 + lowest_threshold) * (1 - margin);
+    return length * length - 1;
+}
+
+/// The extension of an edge of e.
+double extension(const Network& network, const State& state, LocalEntity e, int edge) {
+    const auto [lower, upper] = HexahedronPairs::corners[static_cast<std::size_t>(edge)];
+    const Vec3 rest = network.model().rest[static_cast<std::size_t>(edge)];
+    const Vec3 du = state.displacement(state.unions.slot(local_mass(e, upper))) -
+                    state.displacement(state.unions.slot(local_mass(e, lower)));
+    return dot(2 * rest + du, du) / dot(rest, rest);
+}
+
+/// Calls action(duplet) for the active duplets whose sensors reach over an edge that e carries: at both ends of each of its merged
+/// copies, over the face that is normal to it.
+void for_each_sensor(const Network& network, const State& state, LocalEntity e, int edge, auto&& action) {
+    if (state.merging.weight(state.unions, e, edge) == 0) {
+        return;
     }
-}
-
-void sense_axis(const Network& network, const State& state, int axis, std::vector<LocalDuplet>& found) {
-    const auto& exceeded = state.sensing.exceeded[static_cast<std::size_t>(axis)];
-    for (std::size_t batch = 0; batch < exceeded.size(); ++batch) {
-        for (unsigned bits = exceeded[batch]; bits != 0; bits &= bits - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
-            const LocalEntity e{static_cast<std::int32_t>(batch * UnionTable::lanes + lane)};
-            for (int face = 2 * axis; face <= 2 * axis + 1; ++face) {
-                if (const std::int32_t interface = network.interface_at(e, face); interface >= 0) {
-                    sense_interface(network, state, interface, found);
-                }
+    const int axis = edge / HexahedronPairs::edges_per_axis;
+    const int lower = HexahedronPairs::corners[static_cast<std::size_t>(edge)][0];
+    const int upper = HexahedronPairs::corners[static_cast<std::size_t>(edge)][1];
+    const EdgeCopies copies = edge_copies(state.unions, state.lattice().vertex(local_mass(e, lower)), axis);
+    const EdgeCopy here{e, edge, state.unions.label(local_mass(e, lower)), state.unions.label(local_mass(e, upper))};
+    for (std::size_t i = 0; i < copies.count; ++i) {
+        const EdgeCopy& copy = copies.copy[i];
+        for (std::size_t end = 0; end < 2 && EdgeCopies::merged(copy, here); ++end) {
+            const LocalMass m =
+                local_mass(copy.entity, HexahedronPairs::corners[static_cast<std::size_t>(copy.edge)][end]);
+            const auto duplet = network.duplet_over(m, 2 * axis + static_cast<int>(end));
+            if (duplet && state.sensing.is_active(*duplet)) {
+                action(*duplet);
             }
         }
     }
 }
 
-}  // namespace
-
-std::vector<LocalDuplet> sense(const Network& network, const State& state, Prefilter prefilter) {
+std::vector<LocalDuplet> sense_all(const Network& network, const State& state) {
     std::vector<LocalDuplet> found;
-    if (prefilter == Prefilter::on) {
-        for (int axis = 0; axis < 3; ++axis) {
-            sense_axis(network, state, axis, found);
+    const auto count = static_cast<std::int32_t>(network.interfaces().size()) * Network::duplets_per_interface;
+    for (LocalDuplet d{0}; d.value() < count; ++d) {
+        if (state.sensing.is_active(d) && triggers(network, state, d)) {
+            found.push_back(d);
         }
-    } else {
-        for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interfaces().size()); ++i) {
-            sense_interface(network, state, i, found);
+    }
+    return found;
+}
+
+std::vector<LocalDuplet> sense_exceeded(const Network& network, const State& state) {
+    std::vector<LocalDuplet> found;
+    for (std::size_t batch = 0; batch < state.sensing.exceeded.size(); ++batch) {
+        const EdgeBits& exceeded = state.sensing.exceeded[batch];
+        if (!exceeded.any()) {
+            continue;
+        }
+        for (int edge = 0; edge < HexahedronPairs::edges; ++edge) {
+            const auto i = static_cast<std::size_t>(edge);
+            for (unsigned bits = exceeded.lanes(i) & state.sensing.watched[batch].lanes(i); bits != 0; bits &= bits - 1) {
+                const std::size_t site = batch * Lattice::lanes + static_cast<std::size_t>(std::countr_zero(bits));
+                const LocalEntity e = state.lattice().entity(Site{static_cast<std::int32_t>(site)});
+                const double x = extension(network, state, e, edge);
+                for_each_sensor(network, state, e, edge, [&](LocalDuplet d) {
+                    if (x > extension_limit(threshold(network, d)) && triggers(network, state, d)) {
+                        found.push_back(d);
+                    }
+                });
+            }
         }
     }
     std::ranges::sort(found);
@@ -83,23 +122,43 @@ std::vector<LocalDuplet> sense(const Network& network, const State& state, Prefi
     return found;
 }
 
-void set_sensing_limit(const Network& network, LocalEntity e, int axis, Sensing& sensing) {
-    double limit = std::numeric_limits<double>::infinity();
-    for (int face = 2 * axis; face <= 2 * axis + 1; ++face) {
-        const std::int32_t interface = network.interface_at(e, face);
-        for (int k = 0; interface >= 0 && k < Network::duplets_per_interface; ++k) {
-            if (!sensing.is_active(interface, k)) {
-                continue;
-            }
-            const Interface& shared = network.interfaces()[static_cast<std::size_t>(interface)];
-            const Reach reach = reach_of(network, shared, k);
-            const double edge = shared.a == e ? reach.edge_p : reach.edge_q;
-            const double together =
-                (1 + network.threshold(interface, k)) * norm(reach.rest) / (reach.edge_p + reach.edge_q);
-            limit = std::min(limit, edge * (together * (1 - margin) - 1));
+float rounded_down(double limit) {
+    const auto rounded = static_cast<float>(limit);
+    return static_cast<double>(rounded) > limit ? std::nextafter(rounded, -1.0F) : rounded;
+}
+
+}  // namespace
+
+std::vector<LocalDuplet> sense(const Network& network, const State& state, Prefilter prefilter) {
+    return prefilter == Prefilter::on ? sense_exceeded(network, state) : sense_all(network, state);
+}
+
+void set_sensing_limits(const Network& network, LocalEntity e, State& state) {
+    const std::size_t site = state.lattice().site(e).index();
+    EdgeBits& watched = state.sensing.watched[site / Lattice::lanes];
+    const std::uint64_t bit = std::uint64_t{1} << site % Lattice::lanes;
+    for (int axis = 0; axis < 3; ++axis) {
+        double lowest = std::numeric_limits<double>::infinity();
+        for (int edge = axis * HexahedronPairs::edges_per_axis; edge < (axis + 1) * HexahedronPairs::edges_per_axis;
+             ++edge) {
+            watched.remove(static_cast<std::size_t>(edge), bit);
+            for_each_sensor(network, state, e, edge, [&](LocalDuplet d) {
+                lowest = std::min(lowest, threshold(network, d));
+                watched.add(static_cast<std::size_t>(edge), bit);
+            });
+        }
+        state.sensing.limit[(site / Lattice::lanes * 3 + static_cast<std::size_t>(axis)) * Lattice::lanes +
+                            site % Lattice::lanes] = rounded_down(extension_limit(lowest));
+    }
+}
+
+void update_edges(const Network& network, VertexSite v, State& state) {
+    state.merging.update(state.unions, v);
+    for (int corner = 0; corner < Hexahedron::corners; ++corner) {
+        if (const LocalMass m = state.lattice().mass_at(v, corner); m != LocalMass{}) {
+            set_sensing_limits(network, entity_of(m), state);
         }
     }
-    sensing.limit[static_cast<std::size_t>(axis)][e.index()] = limit;
 }
 
 }  // namespace cracksim::physics

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "physics/network.hpp"
@@ -18,7 +17,10 @@ enum class Prefilter { on, off };
 /// triggers while l1 + l2 <= (1 + s) R0; a margin of 1e-12 covers rounding. All sensors that trigger act together.
 [[nodiscard]] std::vector<LocalDuplet> sense(const Network& network, const State& state, Prefilter prefilter);
 
-/// Recomputes the prefilter's limit of an entity along an axis from the duplets over its two faces that are still active.
-void set_sensing_limit(const Network& network, LocalEntity e, int axis, Sensing& sensing);
+/// Recomputes the prefilter's limits of an entity from the active duplets at the edges that it carries.
+void set_sensing_limits(const Network& network, LocalEntity e, State& state);
+
+/// Brings the edges at a vertex, who carries them and the prefilter's limits, up to date with its unions and its active duplets.
+void update_edges(const Network& network, VertexSite v, State& state);
 
 }  // namespace cracksim::physics

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "physics/force_sweep.hpp"
 
@@ -12,18 +13,10 @@ namespace {
 std::int32_t interface_of(LocalDuplet d) { return d.value() / Network::duplets_per_interface; }
 int place_of(LocalDuplet d) { return d.value() % Network::duplets_per_interface; }
 
-void inactivate(const Network& network, LocalDuplet duplet, State& state) {
-    const std::int32_t interface = interface_of(duplet);
-    state.sensing.inactivate(interface, place_of(duplet));
-    const Interface& shared = network.interfaces()[static_cast<std::size_t>(interface)];
-    set_sensing_limit(network, shared.a, shared.face_a / 2, state.sensing);
-    set_sensing_limit(network, shared.b, shared.face_b / 2, state.sensing);
-}
-
 /// The mass that an active duplet over a face ties to this one; none: the default id.
 LocalMass tied_over(const Network& network, const Sensing& sensing, LocalMass m, int face) {
     const auto tie = network.tie_over(m, face);
-    return tie && sensing.is_active(interface_of(tie->duplet), place_of(tie->duplet)) ? tie->mass : LocalMass{};
+    return tie && sensing.is_active(tie->duplet) ? tie->mass : LocalMass{};
 }
 
 /// The connected components of a union's masses under active duplets; each ascends, and they ascend by first mass.
@@ -57,27 +50,56 @@ std::vector<std::vector<LocalMass>> components(const Network& network, const Sen
     return parts;
 }
 
-void inherit(State& state, Slot from, Slot to) {
-    state.displacement.set(to.index(), state.displacement[from.index()]);
-    state.increment.set(to.index(), state.increment[from.index()]);
-    if (state.scheme == Scheme::ab2) {
-        state.extrapolated.set(to.index(), state.extrapolated[from.index()]);
+/// What the parts of a union take over from it.
+struct Inheritance {
+    Vec3 displacement;
+    Vec3 increment;
+    Vec3 velocity_increment;
+    std::optional<Held> held;
+};
+
+Inheritance leave(State& state, Slot s) {
+    Inheritance left{state.displacement(s), state.increment(s), state.velocity_increment(s), std::nullopt};
+    if (const auto found = state.held_of_slot.find(s); found != state.held_of_slot.end()) {
+        left.held = state.held[found->second];
     }
-    if (const std::int32_t held = state.held_of_slot[from.index()]; held >= 0) {
-        state.held_of_slot[to.index()] = static_cast<std::int32_t>(state.held.size());
-        Held part = state.held[static_cast<std::size_t>(held)];
-        part.slot = to;
-        state.held.push_back(part);
+    state.motion.clear(s);
+    return left;
+}
+
+void inherit(const Network& network, State& state, Slot s, const Inheritance& left) {
+    state.motion.open(s);
+    state.set_displacement(s, left.displacement);
+    state.set_increment(s, left.increment);
+    state.set_velocity_increment(s, left.velocity_increment);
+    state.set_mobility(network, s);
+}
+
+/// The first part takes the union's place among the held ones.
+void hold_parts(State& state, Slot whole, std::span<const Slot> parts, const Held& held) {
+    const std::size_t index = state.held_of_slot.at(whole);
+    state.held_of_slot.erase(whole);
+    state.held_of_slot[parts.front()] = index;
+    state.held[index].slot = parts.front();
+    for (const Slot part : parts.subspan(1)) {
+        Held more = held;
+        more.slot = part;
+        state.hold(more);
     }
 }
 
-/// Each part feels the forces on its own masses, summed as the sweep would have.
-void share_forces(const Network& network, std::span<const LocalMass> part, State& state) {
-    Vec3 sum;
-    for (const LocalMass m : part) {
-        sum += entity_forces(network, state, entity_of(m))[static_cast<std::size_t>(corner_of(m))];
+/// Each part feels the forces on its own masses, from all interactions of their entities, by ascending mass: for this step no entity
+/// carries another one's.
+void share_forces(const Network& network, std::span<const LocalMass> masses, State& state) {
+    std::vector<LocalEntity> entities;
+    for (const LocalMass m : masses) {
+        entities.push_back(entity_of(m));
     }
-    state.force.set(state.unions.slot(part.front()).index(), sum);
+    const auto forces = entity_forces(network, state, entities);
+    for (std::size_t i = 0; i < masses.size(); ++i) {
+        const Slot s = state.unions.slot(masses[i]);
+        state.set_force(s, state.force(s) + forces[i][static_cast<std::size_t>(corner_of(masses[i]))]);
+    }
 }
 
 bool split_union(const Network& network, Slot s, State& state, SplitStream& splits) {
@@ -88,36 +110,61 @@ bool split_union(const Network& network, Slot s, State& state, SplitStream& spli
         return false;
     }
     splits.begin_split(state.step, state.time());
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-        splits.add_part(parts[p]);
-        if (p > 0) {
-            const Slot part = state.unions.append(parts[p]);
-            state.fit();
-            inherit(state, s, part);
-            state.set_mobility(network, part);
+    const Inheritance left = leave(state, s);
+    std::vector<Slot> slots;
+    for (const auto& part : parts) {
+        splits.add_part(part);
+        slots.push_back(state.unions.assign(part));
+    }
+    // Only when all masses have their new labels is a part's mass its own.
+    for (const Slot part : slots) {
+        inherit(network, state, part, left);
+    }
+    if (left.held) {
+        hold_parts(state, s, slots, *left.held);
+    }
+    share_forces(network, masses, state);
+    return true;
+}
+
+/// Triggered duplets by the vertex of their masses.
+std::vector<VertexSite> concerned_vertices(const Network& network, std::span<const LocalDuplet> triggered,
+                                           const State& state) {
+    std::vector<VertexSite> vertices;
+    for (const LocalDuplet d : triggered) {
+        vertices.push_back(state.lattice().vertex(masses_of(network, d)[0]));
+    }
+    std::ranges::sort(vertices);
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+}
+
+std::vector<Slot> slots_at(const State& state, VertexSite v) {
+    std::vector<Slot> slots;
+    for (const int corner : UnionTable::ascending) {
+        const LocalMass m = state.lattice().mass_at(v, corner);
+        if (m != LocalMass{} && std::ranges::find(slots, state.unions.slot(m)) == slots.end()) {
+            slots.push_back(state.unions.slot(m));
         }
     }
-    state.unions.keep(s, parts[0]);
-    state.set_mobility(network, s);
-    for (const auto& part : parts) {
-        share_forces(network, part, state);
-    }
-    return true;
+    return slots;
 }
 
 }  // namespace
 
 std::size_t split(const Network& network, std::span<const LocalDuplet> triggered, State& state, SplitStream& splits) {
-    std::vector<LocalMass> concerned;
     for (const LocalDuplet d : triggered) {
-        inactivate(network, d, state);
-        concerned.push_back(state.unions.smallest_mass(state.unions.slot(masses_of(network, d)[0])));
+        state.sensing.inactivate(d);
     }
-    std::ranges::sort(concerned);
-    concerned.erase(std::unique(concerned.begin(), concerned.end()), concerned.end());
     std::size_t count = 0;
-    for (const LocalMass m : concerned) {
-        count += split_union(network, state.unions.slot(m), state, splits) ? 1U : 0U;
+    const std::vector<VertexSite> vertices = concerned_vertices(network, triggered, state);
+    for (const VertexSite v : vertices) {
+        for (const Slot s : slots_at(state, v)) {
+            count += split_union(network, s, state, splits) ? 1U : 0U;
+        }
+    }
+    for (const VertexSite v : vertices) {
+        update_edges(network, v, state);
     }
     return count;
 }

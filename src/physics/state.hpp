@@ -4,9 +4,12 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
-#include "physics/field.hpp"
+#include "physics/force_sweep_view.hpp"
+#include "physics/merging.hpp"
+#include "physics/motion.hpp"
 #include "physics/network.hpp"
 #include "physics/stability.hpp"
 #include "physics/union_table.hpp"
@@ -16,18 +19,22 @@ namespace cracksim::physics {
 /// Which duplets are active, and what the prefilter of the sensors needs of the force sweep.
 struct Sensing {
     std::vector<std::uint8_t> active;  ///< by interface, bit k for duplet k; only duplets of touched unions
-    /// [axis][entity]: no sensor over a face normal to the axis can trigger while the elongations (m) of the entity's four
-    /// edges along it stay within this.
-    std::array<std::vector<double>, 3> limit;
-    std::array<std::vector<std::uint8_t>, 3> exceeded;  ///< [axis][batch], a bit an entity; written by the sweep
+    /// [batch][axis][lane]: no sensor on an edge along the axis that the entity carries can trigger while none of them is stretched
+    /// beyond this (|d|^2/L0^2 - 1).
+    std::vector<float> limit;
+    std::vector<EdgeBits>
+        watched;  ///< [batch]: edges that an entity carries and that an active duplet's sensor reaches over
+    std::vector<EdgeBits> exceeded;  ///< [batch]: edges stretched beyond the limit of their axis; written by the sweep
 
-    [[nodiscard]] bool is_active(std::int32_t interface, int k) const {
-        return ((static_cast<unsigned>(active[static_cast<std::size_t>(interface)]) >> static_cast<unsigned>(k)) &
+    [[nodiscard]] bool is_active(LocalDuplet d) const {
+        return ((static_cast<unsigned>(active[d.index() / Network::duplets_per_interface]) >>
+                 static_cast<unsigned>(d.value() % Network::duplets_per_interface)) &
                 1U) != 0;
     }
-    void inactivate(std::int32_t interface, int k) {
-        auto& bits = active[static_cast<std::size_t>(interface)];
-        bits = static_cast<std::uint8_t>(bits & ~(1U << static_cast<unsigned>(k)));
+    void inactivate(LocalDuplet d) {
+        auto& bits = active[d.index() / Network::duplets_per_interface];
+        bits = static_cast<std::uint8_t>(bits &
+                                         ~(1U << static_cast<unsigned>(d.value() % Network::duplets_per_interface)));
     }
 };
 
@@ -53,29 +60,43 @@ struct State {
     double step_size;  ///< dt, s
     std::int64_t step{0};
     UnionTable unions;
-    Field displacement;                ///< u by slot
-    Field increment;                   ///< w by slot
-    Field extrapolated;                ///< ab2: 1.5 w(n) - 0.5 w(n-1) by slot; empty with cordis
-    std::vector<double> mobility;      ///< dt^2/M by slot, s^2/kg
-    Field force;                       ///< by slot, of the last sweep, N; whole for advanced unions only
-    std::vector<double> owned_weight;  ///< by entity: 1 if owned, else 0
+    Motion motion;
+    Merging merging;
     Sensing sensing;
     std::vector<Held> held;
-    std::vector<std::int32_t> held_of_slot;  ///< index into held, -1 if free
-    double last_dissipation{0};              ///< J, z (v.n)^2 dt of the last sweep
-    std::int64_t last_sweep{-1};             ///< its step
+    std::unordered_map<Slot, std::size_t> held_of_slot;     ///< index into held
+    std::vector<std::vector<std::size_t>> held_in_row;      ///< by vertex row: indices into held
+    std::vector<std::vector<std::size_t>> received_in_row;  ///< by vertex row: indices into Network::received
+    double last_dissipation{0};                             ///< J, z (v.n)^2 dt of the last sweep
+    std::int64_t last_sweep{-1};                            ///< its step
     double dissipated{0};  ///< J, by the owned entities since step 0: the trapezoidal sum of z (v.n)^2 dt
     double external{0};    ///< J, work of the supports on the unions that this rank owns so far
     double elastic{0};     ///< J, of the owned entities at the last measured sweep
     std::optional<Breakdown> breakdown;
 
-    /// What damping takes for dt v: w, or its extrapolation with ab2.
-    [[nodiscard]] const Field& velocity_increment() const { return scheme == Scheme::ab2 ? extrapolated : increment; }
+    [[nodiscard]] const Lattice& lattice() const { return unions.lattice(); }
     [[nodiscard]] double time() const { return static_cast<double>(step) * step_size; }
-    /// Makes room after slots were appended.
-    void fit();
+
+    [[nodiscard]] Vec3 displacement(Slot s) const { return motion.get(s, Quantity::displacement); }
+    [[nodiscard]] Vec3 increment(Slot s) const { return motion.get(s, Quantity::increment); }
+    /// The sum of the forces on the union's masses, N, of the last sweep.
+    [[nodiscard]] Vec3 force(Slot s) const { return motion.get(s, Quantity::force); }
+    /// dt^2/M, s^2/kg.
+    [[nodiscard]] double mobility(Slot s) const { return motion.mobility(s); }
+    /// What damping takes for dt v: w, or with ab2 1.5 w(n) - 0.5 w(n-1).
+    [[nodiscard]] Vec3 velocity_increment(Slot s) const { return motion.get(s, velocity_quantity()); }
+    [[nodiscard]] std::size_t velocity_quantity() const {
+        return scheme == Scheme::ab2 ? Quantity::extrapolated : Quantity::increment;
+    }
+    void set_displacement(Slot s, Vec3 u) { motion.set(s, Quantity::displacement, u); }
+    void set_increment(Slot s, Vec3 w) { motion.set(s, Quantity::increment, w); }
+    void set_force(Slot s, Vec3 f) { motion.set(s, Quantity::force, f); }
+    void set_velocity_increment(Slot s, Vec3 w) { motion.set(s, velocity_quantity(), w); }
+
     /// dt^2 over the sum of a union's masses.
     void set_mobility(const Network& network, Slot s);
+    /// A union is held from now on.
+    void hold(const Held& union_held);
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 

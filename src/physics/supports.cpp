@@ -47,7 +47,10 @@ std::optional<std::string> conflict_at(const Network& network, LocalMass m) {
 
 std::vector<Held> find_held(const Network& network, const UnionTable& unions) {
     std::vector<Held> all;
-    for (Slot s = unions.first_advanced(); s < unions.end() && !network.supports().empty(); ++s) {
+    if (network.supports().empty()) {
+        return all;
+    }
+    for (const Slot s : unions.advanced()) {
         const Held held = held_at(network, s, network.rest_position(unions.smallest_mass(s)));
         if (std::ranges::any_of(held.support, [](int support) { return support >= 0; })) {
             all.push_back(held);
@@ -76,11 +79,11 @@ double velocity_at(const std::function<double(Vec3, double)>& velocity, Vec3 res
 }  // namespace
 
 Vec3 prescribed(const Network& network, const State& state, Slot s, Vec3 free, double offset) {
-    const std::int32_t index = state.held_of_slot[s.index()];
-    if (index < 0) {
+    const auto found = state.held_of_slot.find(s);
+    if (found == state.held_of_slot.end()) {
         return free;
     }
-    const Held& held = state.held[static_cast<std::size_t>(index)];
+    const Held& held = state.held[found->second];
     const double t = (static_cast<double>(state.step) + offset) * state.step_size;
     for (int axis = 0; axis < 3; ++axis) {
         const int support = held.support[static_cast<std::size_t>(axis)];

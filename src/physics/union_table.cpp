@@ -1,48 +1,57 @@
 #include "physics/union_table.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <bit>
 
 #include "core/contracts.hpp"
 
 namespace cracksim::physics {
 
-namespace {
-
-constexpr auto lanes = static_cast<std::size_t>(UnionTable::lanes);
-
-std::size_t round_up(std::size_t n) { return (n + lanes - 1) / lanes * lanes; }
-
-bool is_run(const std::int32_t* values) {
-    for (std::int32_t lane = 1; lane < UnionTable::lanes; ++lane) {
-        if (values[lane] != values[0] + lane) {
-            return false;
+UnionTable::UnionTable(const Network& network)
+    : lattice_{network.block(), network.entities()},
+      label_(static_cast<std::size_t>(network.mass_count())),
+      touched_(lattice_.vertex_sites(), 0),
+      in_use_(lattice_.vertex_sites(), 0),
+      batch_planes_(lattice_.batches() * Hexahedron::corners),
+      lane_planes_(lattice_.batches() * Hexahedron::corners * lanes) {
+    find_labels(network);
+    for (std::size_t batch = 0; batch < lattice_.batches(); ++batch) {
+        for (int corner = 0; corner < Hexahedron::corners; ++corner) {
+            update_batch(batch, corner);
         }
     }
-    return true;
 }
 
-}  // namespace
-
-UnionTable::UnionTable(const Network& network)
-    : stride_{round_up(static_cast<std::size_t>(network.entity_count()) + 1)},
-      first_advanced_{static_cast<std::int32_t>(round_up(network.received().size() + 1))},
-      end_{first_advanced_},
-      batch_runs_(batches(), 0),
-      batch_adds_by_corner_(batches(), 0),
-      first_mass_(first_advanced_.index()),
-      next_mass_(static_cast<std::size_t>(network.mass_count())) {
-    const auto void_slot = static_cast<std::int32_t>(network.received().size());
-    slot_.assign(stride_ * Hexahedron::corners, void_slot);
-    for (std::size_t i = 0; i < network.received().size(); ++i) {
-        assign(Slot{static_cast<std::int32_t>(i)}, std::span{network.received()}.subspan(i, 1));
-    }
+void UnionTable::find_labels(const Network& network) {
     for (std::size_t u = 0; u < network.union_count(); ++u) {
-        assign(add_slot(), network.union_masses(u));
+        touched_[lattice_.vertex(network.union_masses(u).front()).index()] = 1;
     }
-    for (std::size_t batch = 0; batch < batches(); ++batch) {
-        update_batch(batch);
+    for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
+        const bool alone = network.block().is_corner(network.entity(entity_of(m)), corner_of(m));
+        label_[m.index()] = static_cast<std::uint8_t>(alone ? corner_of(m) : base_plane);
     }
+    for (VertexSite v{0}; v.index() < touched_.size(); ++v) {
+        find_planes(v);
+    }
+}
+
+LocalMass UnionTable::smallest_mass(Slot s) const {
+    for (const int corner : ascending) {
+        const LocalMass m = lattice_.mass_at(vertex_of(s), corner);
+        if (m != LocalMass{} && label(m) == plane_of(s)) {
+            return m;
+        }
+    }
+    return LocalMass{};
+}
+
+LocalMass UnionTable::smallest_at(VertexSite v) const {
+    for (const int corner : ascending) {
+        if (const LocalMass m = lattice_.mass_at(v, corner); m != LocalMass{}) {
+            return m;
+        }
+    }
+    return LocalMass{};
 }
 
 void UnionTable::masses(Slot s, std::vector<LocalMass>& found) const {
@@ -56,72 +65,63 @@ int UnionTable::mass_count(Slot s) const {
     return count;
 }
 
-Slot UnionTable::add_slot() {
-    const Slot s = end_;
-    if (s.index() == capacity()) {
-        first_mass_.resize(first_mass_.size() + lanes);
-    }
-    ++end_;
-    return s;
-}
-
-Slot UnionTable::append(std::span<const LocalMass> part) {
-    const Slot s = add_slot();
-    keep(s, part);
-    return s;
-}
-
-void UnionTable::keep(Slot s, std::span<const LocalMass> part) {
-    assign(s, part);
-    for (const LocalMass m : part) {
-        update_batch(entity_of(m).index() / lanes);
-    }
-}
-
-void UnionTable::assign(Slot s, std::span<const LocalMass> part) {
-    CRACKSIM_EXPECT(!part.empty() && std::ranges::is_sorted(part));
-    first_mass_[s.index()] = part.front();
-    for (std::size_t i = 0; i < part.size(); ++i) {
-        const LocalMass m = part[i];
-        slot_[static_cast<std::size_t>(corner_of(m)) * stride_ + entity_of(m).index()] = s.value();
-        next_mass_[m.index()] = i + 1 < part.size() ? part[i + 1] : LocalMass{};
-    }
-}
-
-void UnionTable::update_batch(std::size_t batch) {
-    unsigned runs = 0;
-    for (int corner = 0; corner < Hexahedron::corners; ++corner) {
-        runs |= is_run(slots_of_corner(corner) + batch * lanes) ? 1U << static_cast<unsigned>(corner) : 0U;
-    }
-    batch_runs_[batch] = static_cast<std::uint8_t>(runs);
-    batch_adds_by_corner_[batch] = runs == 0xffU && adds_by_corner(batch) ? 1 : 0;
-}
-
-bool UnionTable::adds_by_corner(std::size_t batch) const {
-    const auto base = [&](int corner) { return slots_of_corner(corner)[batch * lanes]; };
-    const auto ahead = [&](int first, int last) {
-        const int distance = base(first) - base(last);
-        return distance > 0 || distance <= -UnionTable::lanes;
-    };
-    const auto apart = [&](const auto& corners) {
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            for (std::size_t j = 0; j < i; ++j) {
-                if (std::abs(base(corners[i]) - base(corners[j])) < UnionTable::lanes) {
-                    return false;
-                }
-            }
+std::vector<Slot> UnionTable::advanced() const {
+    std::vector<Slot> all;
+    for (VertexSite v{0}; v.index() < touched_.size(); ++v) {
+        for (unsigned in_use = in_use_[v.index()]; in_use != 0; in_use &= in_use - 1) {
+            all.push_back(slot_of(v, std::countr_zero(in_use)));
         }
-        return true;
-    };
-    return apart(corners_added_first) && apart(corners_added_last) &&
-           std::ranges::all_of(corners_added_first, [&](int first) {
-               return std::ranges::all_of(corners_added_last, [&](int last) { return ahead(first, last); });
-           });
+    }
+    return all;
+}
+
+void UnionTable::find_planes(VertexSite v) {
+    unsigned in_use = 0;
+    for (int corner = 0; is_touched(v) && corner < Hexahedron::corners; ++corner) {
+        const LocalMass m = lattice_.mass_at(v, corner);
+        in_use |= m == LocalMass{} ? 0U : 1U << static_cast<unsigned>(label(m));
+    }
+    in_use_[v.index()] = static_cast<std::uint8_t>(in_use);
+}
+
+Slot UnionTable::assign(std::span<const LocalMass> part) {
+    CRACKSIM_EXPECT(!part.empty() && std::ranges::is_sorted(part));
+    const VertexSite v = lattice_.vertex(part.front());
+    const bool alone = part.size() == 1;
+    const int plane = !alone && part.front() == smallest_at(v) ? base_plane : corner_of(part.front());
+    for (const LocalMass m : part) {
+        label_[m.index()] = static_cast<std::uint8_t>(plane);
+        update_batch(lattice_.site(entity_of(m)).index() / lanes, corner_of(m));
+    }
+    find_planes(v);
+    return slot_of(v, plane);
+}
+
+bool UnionTable::set_received_label(LocalMass m, std::uint8_t label) {
+    CRACKSIM_EXPECT(!is_touched(lattice_.vertex(m)) && label < planes);
+    if (label_[m.index()] == label) {
+        return false;
+    }
+    label_[m.index()] = label;
+    update_batch(lattice_.site(entity_of(m)).index() / lanes, corner_of(m));
+    return true;
+}
+
+void UnionTable::update_batch(std::size_t batch, int corner) {
+    const std::size_t place = batch * Hexahedron::corners + static_cast<std::size_t>(corner);
+    std::uint8_t* plane = lane_planes_.data() + place * lanes;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const LocalEntity e = lattice_.entity(Site{static_cast<std::int32_t>(batch * lanes + lane)});
+        plane[lane] =
+            static_cast<std::uint8_t>(e == LocalEntity{} ? base_plane : plane_of(slot(local_mass(e, corner))));
+    }
+    const bool uniform = std::all_of(plane, plane + lanes, [&](std::uint8_t other) { return other == plane[0]; });
+    batch_planes_[place] = uniform ? plane[0] : mixed;
 }
 
 std::size_t UnionTable::memory_bytes() const {
-    return slot_.capacity() * sizeof(std::int32_t) + batch_runs_.capacity() + batch_adds_by_corner_.capacity() +
-           (first_mass_.capacity() + next_mass_.capacity()) * sizeof(LocalMass);
+    return lattice_.memory_bytes() + label_.capacity() + touched_.capacity() + in_use_.capacity() +
+           batch_planes_.capacity() + lane_planes_.capacity();
 }
 
 }  // namespace cracksim::physics

@@ -1,5 +1,7 @@
 #include "simulation/dynamics.hpp"
 
+#include <array>
+#include <cstring>
 #include <utility>
 
 #include "core/contracts.hpp"
@@ -37,6 +39,21 @@ std::vector<LocalMass> local_masses(const partition::Decomposition& decompositio
     return masses;
 }
 
+/// What a step tells of a mass: its union's next increment, and its label.
+using MotionMessage = std::array<std::byte, bytes_per_message>;
+
+MotionMessage pack(Vec3 increment, int label) {
+    MotionMessage message{};
+    std::memcpy(message.data(), &increment, sizeof(Vec3));
+    message.back() = static_cast<std::byte>(label);
+    return message;
+}
+
+void unpack(const MotionMessage& message, Vec3& increment, std::uint8_t& label) {
+    std::memcpy(&increment, message.data(), sizeof(Vec3));
+    label = static_cast<std::uint8_t>(message.back());
+}
+
 }  // namespace
 
 Dynamics::Dynamics(const partition::Communicator& comm, const Scene& scene, double step_size, Stopwatch& stopwatch)
@@ -55,16 +72,20 @@ Dynamics::Dynamics(const partition::Communicator& comm, const Scene& scene, doub
 void Dynamics::set_start_increments() {
     std::vector<physics::StartIncrements> sent;
     for (const LocalMass m : sent_) {
-        const std::size_t s = state_.unions.slot(m).index();
-        sent.push_back({state_.increment[s], state_.velocity_increment()[s]});
+        const physics::Slot s = state_.unions.slot(m);
+        sent.push_back({state_.increment(s), state_.velocity_increment(s)});
     }
     std::vector<physics::StartIncrements> received(network_.received().size());
     plan_.exchange<physics::StartIncrements>(sent, received);
-    physics::set_received(state_, received);
+    physics::set_received(network_, state_, received);
 }
 
-void Dynamics::act(physics::Measure measure) {
-    stopwatch_->time(Phase::force, [&] { physics::accumulate_forces(network_, state_, measure); });
+void Dynamics::begin() {
+    stopwatch_->time(Phase::force,
+                     [&] { physics::accumulate_forces(network_, state_, physics::Measure::elastic_energy); });
+}
+
+void Dynamics::act() {
     const auto triggered = stopwatch_->time(Phase::sense, [&] { return physics::sense(network_, state_, prefilter_); });
     if (triggered.empty()) {
         return;
@@ -87,23 +108,30 @@ void Dynamics::act(physics::Measure measure) {
     });
 }
 
-void Dynamics::advance() {
-    stopwatch_->time(Phase::update, [&] { physics::advance(network_, state_); });
+void Dynamics::advance(physics::Measure measure) {
+    const std::vector<Vec3> received = exchange();
+    stopwatch_->time(Phase::force, [&] { physics::advance(network_, state_, received, measure); });
 }
 
-void Dynamics::exchange() {
+std::vector<Vec3> Dynamics::exchange() {
     if (comm_->size() == 1) {
-        return;
+        return {};
     }
-    stopwatch_->time(Phase::exchange, [&] {
-        std::vector<Vec3> sent;
-        sent.reserve(sent_.size());
-        for (const LocalMass m : sent_) {
-            sent.push_back(state_.increment[state_.unions.slot(m).index()]);
+    return stopwatch_->time(Phase::exchange, [&] {
+        const std::vector<Vec3> increments = physics::next_increments(network_, state_, sent_);
+        std::vector<MotionMessage> sent(sent_.size());
+        for (std::size_t i = 0; i < sent.size(); ++i) {
+            sent[i] = pack(increments[i], state_.unions.label(sent_[i]));
         }
-        std::vector<Vec3> received(network_.received().size());
-        plan_.exchange<Vec3>(sent, received);
-        physics::advance_received(state_, received);
+        std::vector<MotionMessage> received(network_.received().size());
+        plan_.exchange<MotionMessage>(sent, received);
+        std::vector<Vec3> increment(received.size());
+        std::vector<std::uint8_t> label(received.size());
+        for (std::size_t i = 0; i < received.size(); ++i) {
+            unpack(received[i], increment[i], label[i]);
+        }
+        physics::set_received_labels(network_, state_, label);
+        return increment;
     });
 }
 
@@ -118,13 +146,13 @@ void Dynamics::audit(const partition::Audit& audit) const {
     const std::int64_t unknown = -1;
     std::vector<std::int32_t> reads(static_cast<std::size_t>(network_.mass_count()), 0);
     const auto& unions = state_.unions;
-    for (physics::Slot s = unions.first_advanced(); s < unions.end(); ++s) {
+    for (const physics::Slot s : unions.advanced()) {
         // The sweep adds a mass's force where its slot says; the list of the union must agree.
         unions.for_each_mass(s, [&](LocalMass m) { reads[m.index()] += unions.slot(m) == s ? 1 : 2; });
     }
     const auto view = [&](LocalMass m) {
         const physics::Slot s = unions.slot(m);
-        const bool advanced = s >= unions.first_advanced();
+        const bool advanced = unions.is_touched(physics::vertex_of(s));
         return partition::MassView{advanced ? network_.mass(unions.smallest_mass(s)).value() : unknown,
                                    physics::motion_hash(state_, m)};
     };

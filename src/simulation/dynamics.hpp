@@ -26,7 +26,7 @@ public:
 
     [[nodiscard]] Vec3 rest(LocalMass m) const override { return network_.rest_position(m); }
     [[nodiscard]] Vec3 displacement(LocalMass m) const override {
-        return state_.displacement[state_.unions.slot(m).index()];
+        return state_.displacement(state_.unions.slot(m));
     }
 
 private:
@@ -34,19 +34,22 @@ private:
     const physics::State& state_;
 };
 
+/// What a step sends of a mass: the increment of its union, and its label.
+constexpr std::size_t bytes_per_message = sizeof(Vec3) + 1;
+
 /// Where physics and partition meet: the network's motion on all ranks, step by step.
-/// A step is  act(); ... ; advance(); exchange();  between act and advance, all is at state n.
+/// A step is  act(); ... ; advance();  between act and advance, all is at state n.
 class Dynamics {
 public:
     /// Collective. Throws InputError on all ranks alike. comm and stopwatch must outlive this.
     Dynamics(const partition::Communicator& comm, const Scene& scene, double step_size, Stopwatch& stopwatch);
 
-    /// Forces, sensing and splits at the current state. No communication.
-    void act(physics::Measure measure);
-    /// The explicit step of every advanced union. No communication.
-    void advance();
-    /// The increments of received masses from the owners of their entities. Collective.
-    void exchange();
+    /// The forces at the start.
+    void begin();
+    /// Sensing and splits at the current state. No communication.
+    void act();
+    /// The explicit step of every union, received ones from the owners of their entities, and the forces at the new state. Collective.
+    void advance(physics::Measure measure);
 
     [[nodiscard]] const partition::Decomposition& decomposition() const { return decomposition_; }
     [[nodiscard]] const physics::Network& network() const { return network_; }
@@ -71,6 +74,7 @@ public:
 
 private:
     void set_start_increments();
+    [[nodiscard]] std::vector<Vec3> exchange();
 
     const partition::Communicator* comm_;
     Stopwatch* stopwatch_;

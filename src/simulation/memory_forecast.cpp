@@ -47,14 +47,22 @@ double network_bytes(const PartLoad& load) {
            number(load.unions) * sizeof(std::size_t);
 }
 
-/// Every received mass and every union has a slot; a union that falls apart has one for each of its masses.
+/// Rows with their void places; the base plane has a place for every vertex, and where unions fall apart the other planes have, too.
 double state_bytes(const PartLoad& load, physics::Scheme scheme, double opened) {
-    constexpr double per_entity = 2 * Hexahedron::corners * sizeof(std::int32_t) + 4 * sizeof(double);
-    const double fields = scheme == physics::Scheme::ab2 ? 4 : 3;
-    const double per_slot = 3 * sizeof(double) * fields + sizeof(double) + 2 * sizeof(std::int32_t);
-    const double at_start = number(load.unions + load.received);
-    const double slots = at_start + opened * (masses(load) - at_start);
-    return number(load.local) * per_entity + slots * per_slot + number(load.interfaces);
+    constexpr double lanes = physics::Lattice::lanes;
+    constexpr double per_entity = Hexahedron::corners * sizeof(std::uint8_t) + sizeof(std::int32_t);
+    constexpr double planes_of_site = Hexahedron::corners * sizeof(std::uint8_t);
+    constexpr double per_batch = Hexahedron::corners * sizeof(std::uint8_t) + physics::Merging::bytes_per_batch +
+                                 3 * lanes * sizeof(float) + 2 * sizeof(physics::EdgeBits) + sizeof(std::uint32_t) +
+                                 sizeof(std::int32_t);
+    constexpr double per_site = planes_of_site + sizeof(LocalEntity) + per_batch / lanes;
+    constexpr double per_vertex =
+        2 * sizeof(std::uint8_t) + (sizeof(std::int32_t) * (1 + physics::planes) + sizeof(std::uint8_t)) / lanes;
+    const double components = scheme == physics::Scheme::ab2 ? 13 : 10;
+    // Blocks are made half as many again: on average a quarter of them is room.
+    const double planes = 1 + opened * 1.25 * (physics::planes - 1);
+    return number(load.local) * per_entity + number(load.sites) * per_site +
+           number(load.vertex_sites) * (per_vertex + planes * components * sizeof(double)) + number(load.interfaces);
 }
 
 /// Links, masks, unions by mass, the search for what came off, twice a tree and pieces, and the free faces with what finds them.

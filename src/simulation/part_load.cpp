@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/hexahedron.hpp"
+#include "physics/lattice.hpp"
 
 namespace cracksim::simulation {
 
@@ -44,6 +45,12 @@ double by_axis(const Box& box, auto&& along, auto&& across) {
     return sum;
 }
 
+/// Places that a row takes for its cells, or for their vertices (physics/lattice.hpp).
+double padded(double cells) {
+    constexpr double lanes = physics::Lattice::lanes;
+    return (std::floor(cells / lanes) + 1) * lanes;
+}
+
 /// Along an axis n cells have 2n ends, which are the places of masses. Of n owned cells with a halo cell on h sides all the ends
 /// but the h outer ones meet a vertex of an owned cell: they belong to touched unions.
 PartLoad load_of_box(const Box& box, double roughness) {
@@ -57,6 +64,11 @@ PartLoad load_of_box(const Box& box, double roughness) {
     PartLoad load;
     load.owned = whole(owned);
     load.local = whole(local);
+    const auto [along, width, height] =
+        std::array{with_halo(box.cells[0], box.open_sides(0)), with_halo(box.cells[1], box.open_sides(1)),
+                   with_halo(box.cells[2], box.open_sides(2))};
+    load.sites = whole(local / box_local * padded(along) * width * height);
+    load.vertex_sites = whole(local / box_local * padded(along) * (width + 1) * (height + 1));
     load.interfaces = whole(local / box_local *
                             by_axis(
                                 box, [](double n, double h) { return n + h - 1; }, with_halo));
@@ -95,6 +107,9 @@ PartLoad load_at_random(const Block& block, int ranks) {
     PartLoad load;
     load.owned = block.entity_count() / ranks;
     load.local = whole(local);
+    const auto [nx, ny, nz] = block.cells();
+    load.sites = whole(padded(static_cast<double>(nx))) * ny * nz;
+    load.vertex_sites = whole(padded(static_cast<double>(nx))) * (ny + 1) * (nz + 1);
     load.interfaces = block.interior_face_count();
     load.unions = whole(touched * static_cast<double>(block.vertex_count()));
     load.received = whole((1 - touched) * Hexahedron::corners * local);
@@ -110,6 +125,9 @@ PartLoad load_of(const Dynamics& dynamics, const Coat& coat) {
     PartLoad load;
     load.owned = dynamics.decomposition().owned_count();
     load.local = network.entity_count();
+    const physics::Lattice& lattice = dynamics.state().lattice();
+    load.sites = static_cast<std::int64_t>(lattice.batches()) * physics::Lattice::lanes;
+    load.vertex_sites = static_cast<std::int64_t>(lattice.vertex_sites());
     load.interfaces = static_cast<std::int64_t>(network.interfaces().size());
     load.unions = static_cast<std::int64_t>(network.union_count());
     load.received = static_cast<std::int64_t>(network.received().size());

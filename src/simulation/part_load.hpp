@@ -14,6 +14,8 @@ namespace cracksim::simulation {
 struct PartLoad {
     std::int64_t owned{0};           ///< entities
     std::int64_t local{0};           ///< owned and halo entities
+    std::int64_t sites{0};           ///< of local entities in rows, void ones included
+    std::int64_t vertex_sites{0};    ///< the same of their vertices
     std::int64_t interfaces{0};      ///< between local entities
     std::int64_t unions{0};          ///< touched Mass-unions at the start
     std::int64_t received{0};        ///< masses

@@ -54,25 +54,28 @@ Simulation::Simulation(const partition::Communicator& comm, const Scene& scene, 
 
 void Simulation::enable_audit() { audit_.emplace(*comm_, dynamics_.decomposition()); }
 
+bool Simulation::is_measured(std::int64_t step) const {
+    return step == 0 || step == certified_.steps || history_schedule_.is_due(step);
+}
+
 void Simulation::run(Observer& observer) {
+    dynamics_.begin();
     for (;;) {
         const std::int64_t step = dynamics_.state().step;
-        const bool ends = step == 0 || step == certified_.steps;
-        const bool measured = ends || history_schedule_.is_due(step);
+        const bool measured = is_measured(step);
         if (measured || step % steps_between_checks == 0 || coat_schedule_.is_due(step) ||
             frame_schedule_.is_due(step)) {
             check_motion(observer);
         }
-        dynamics_.act(measured ? physics::Measure::elastic_energy : physics::Measure::nothing);
+        dynamics_.act();
         if (measured) {
             measure();
         }
-        step_actions(observer, ends);
+        step_actions(observer, step == 0 || step == certified_.steps);
         if (step == certified_.steps) {
             return;
         }
-        dynamics_.advance();
-        dynamics_.exchange();
+        dynamics_.advance(is_measured(step + 1) ? physics::Measure::elastic_energy : physics::Measure::nothing);
     }
 }
 

@@ -82,6 +82,7 @@ public:
     [[nodiscard]] Totals totals() const;
 
 private:
+    [[nodiscard]] bool is_measured(std::int64_t step) const;
     void step_actions(Observer& observer, bool forced);
     void measure();
     void check_motion(Observer& observer);

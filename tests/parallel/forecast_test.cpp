@@ -26,8 +26,8 @@ Scene scene_of(const std::string& cells, const std::string& partition, const std
                       "forecast.yaml", {});
 }
 
-std::array<std::int64_t, 7> counts(const PartLoad& l) {
-    return {l.owned, l.local, l.interfaces, l.unions, l.received, l.sent, l.boundary_faces};
+std::array<std::int64_t, 9> counts(const PartLoad& l) {
+    return {l.owned, l.local, l.sites, l.vertex_sites, l.interfaces, l.unions, l.received, l.sent, l.boundary_faces};
 }
 
 TEST(EstimatedLoads, AreExactForSlabsOfWholeLayers) {

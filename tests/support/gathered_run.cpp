@@ -24,8 +24,8 @@ std::vector<MassMotion> owned_motions(const simulation::Dynamics& dynamics) {
     std::vector<MassMotion> motions;
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
         if (network.owned(entity_of(m))) {
-            const std::size_t slot = state.unions.slot(m).index();
-            motions.push_back({network.mass(m), state.displacement[slot], state.increment[slot]});
+            const physics::Slot slot = state.unions.slot(m);
+            motions.push_back({network.mass(m), state.displacement(slot), state.increment(slot)});
         }
     }
     return motions;

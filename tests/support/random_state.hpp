@@ -11,9 +11,9 @@ namespace cracksim::test {
 inline void shake(physics::State& state, double size, std::uint64_t seed) {
     std::mt19937_64 random{seed};
     std::uniform_real_distribution<double> value{-size, size};
-    for (physics::Slot s = state.unions.first_advanced(); s < state.unions.end(); ++s) {
-        state.displacement.set(s.index(), {value(random), value(random), value(random)});
-        state.increment.set(s.index(), {value(random), value(random), value(random)});
+    for (const physics::Slot s : state.unions.advanced()) {
+        state.set_displacement(s, {value(random), value(random), value(random)});
+        state.set_increment(s, {value(random), value(random), value(random)});
     }
 }
 

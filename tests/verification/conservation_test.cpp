@@ -24,12 +24,12 @@ std::size_t run(const test::SerialBlock& block, Scheme scheme, const std::functi
     State state{network, scheme, step_size};
     start(network, {[](Vec3) { return Vec3{}; }, velocity}, state);
     std::size_t splits = 0;
+    accumulate_forces(network, state, Measure::elastic_energy);
     for (double t = 0; t < end; t += step_size) {
-        accumulate_forces(network, state, Measure::elastic_energy);
         SplitStream stream;
         splits += split(network, sense(network, state, Prefilter::on), state, stream);
         after(network, state);
-        advance(network, state);
+        advance(network, state, {}, Measure::elastic_energy);
     }
     return splits;
 }
@@ -57,10 +57,10 @@ double total_mass(const Network& network) { return network.mass_count() * networ
 std::array<Vec3, 2> momenta(const Network& network, const State& state) {
     Vec3 linear;
     Vec3 angular;
-    for (Slot s = state.unions.first_advanced(); s < state.unions.end(); ++s) {
-        const double mass = state.step_size * state.step_size / state.mobility[s.index()];
-        const Vec3 x = network.rest_position(state.unions.smallest_mass(s)) + state.displacement[s.index()];
-        const Vec3 p = (mass / state.step_size) * state.increment[s.index()];
+    for (const Slot s : state.unions.advanced()) {
+        const double mass = state.step_size * state.step_size / state.mobility(s);
+        const Vec3 x = network.rest_position(state.unions.smallest_mass(s)) + state.displacement(s);
+        const Vec3 p = (mass / state.step_size) * state.increment(s);
         linear += p;
         angular += cross(x, p);
     }

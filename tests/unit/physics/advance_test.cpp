@@ -21,16 +21,16 @@ TEST(Advance, IsTheSchemeForEveryUnion) {
         test::shake(state, 0.1, 8);
         accumulate_forces(network, state, Measure::nothing);
         const State before = state;
-        advance(network, state);
-        for (Slot s = state.unions.first_advanced(); s < state.unions.end(); ++s) {
-            const Vec3 force = before.force[s.index()];
+        advance(network, state, {}, Measure::nothing);
+        for (const Slot s : state.unions.advanced()) {
+            const Vec3 force = before.force(s);
             const double mass = before.unions.mass_count(s) * network.model().corner_mass;
-            const Vec3 w = before.increment[s.index()] + (0.09 / mass) * force;
-            EXPECT_LT(norm(state.increment[s.index()] - w), 1e-15);
-            EXPECT_EQ(state.displacement[s.index()], before.displacement[s.index()] + state.increment[s.index()]);
+            const Vec3 w = before.increment(s) + (0.09 / mass) * force;
+            EXPECT_LT(norm(state.increment(s) - w), 1e-15);
+            EXPECT_EQ(state.displacement(s), before.displacement(s) + state.increment(s));
             if (scheme == Scheme::ab2) {
-                const Vec3 q = 1.5 * state.increment[s.index()] - 0.5 * before.increment[s.index()];
-                EXPECT_LT(norm(state.extrapolated[s.index()] - q), 1e-16);
+                const Vec3 q = 1.5 * state.increment(s) - 0.5 * before.increment(s);
+                EXPECT_LT(norm(state.velocity_increment(s) - q), 1e-16);
             }
         }
         EXPECT_EQ(state.step, 1);
@@ -46,12 +46,12 @@ TEST(Advance, MovesHeldComponentsAsPrescribedAndBooksTheWork) {
     const Network network = block.network();
     State state{network, Scheme::cordis, 0.1};
     start(network, {[](Vec3) { return Vec3{}; }, [](Vec3) { return Vec3{}; }}, state);
+    accumulate_forces(network, state, Measure::elastic_energy);
     for (int step = 0; step < 10; ++step) {
-        accumulate_forces(network, state, Measure::elastic_energy);
-        advance(network, state);
+        advance(network, state, {}, Measure::elastic_energy);
     }
-    const std::size_t left = state.unions.slot(LocalMass{0}).index();
-    EXPECT_NEAR(state.displacement[left].x, -0.05 * 1.0, 1e-12);
+    const Slot left = state.unions.slot(LocalMass{0});
+    EXPECT_NEAR(state.displacement(left).x, -0.05 * 1.0, 1e-12);
     EXPECT_GT(state.external, 0);
 }
 
@@ -63,12 +63,12 @@ TEST(Advance, NotesTheFirstUnionThatMakesNoSense) {
         const Network network = block.network();
         State state{network, Scheme::cordis, 0.3};
         const Slot bad = state.unions.slot(LocalMass{17});
-        state.increment.set(bad.index(), {0, broken, 0});
+        state.set_increment(bad, {0, broken, 0});
         accumulate_forces(network, state, Measure::nothing);
-        for (int axis = 0; axis < 3; ++axis) {
-            std::fill_n(state.force.component(axis), state.force.size(), 0.0);
+        for (const Slot s : state.unions.advanced()) {
+            state.set_force(s, {});
         }
-        advance(network, state);
+        advance(network, state, {}, Measure::nothing);
         ASSERT_TRUE(state.breakdown.has_value());
         EXPECT_EQ(state.breakdown->step, 1);
         EXPECT_EQ(state.breakdown->mass, network.mass(state.unions.smallest_mass(bad)));
@@ -88,22 +88,21 @@ TEST(Start, PutsTheFirstIncrementsWhereTheParabolaWas) {
                           }};
     State state{network, Scheme::ab2, 0.1};
     start(network, initial, state);
-    const Field increment = state.increment;
-    const Field extrapolated = state.extrapolated;
-    for (Slot s = state.unions.first_advanced(); s < state.unions.end(); ++s) {
+    const State started = state;
+    for (const Slot s : state.unions.advanced()) {
         const Vec3 rest = network.rest_position(state.unions.smallest_mass(s));
-        state.extrapolated.set(s.index(), 0.1 * initial.velocity(rest));
+        state.set_velocity_increment(s, 0.1 * initial.velocity(rest));
     }
     accumulate_forces(network, state, Measure::nothing);
-    for (Slot s = state.unions.first_advanced(); s < state.unions.end(); ++s) {
+    for (const Slot s : state.unions.advanced()) {
         const Vec3 rest = network.rest_position(state.unions.smallest_mass(s));
         const Vec3 v = 0.1 * initial.velocity(rest);
-        const Vec3 a = state.mobility[s.index()] * state.force[s.index()];
+        const Vec3 a = state.mobility(s) * state.force(s);
         const Vec3 w0 = v - 0.5 * a;
         const Vec3 before = v - 1.5 * a;
         EXPECT_GT(norm(a), 0);
-        EXPECT_LT(norm(increment[s.index()] - w0), 1e-15);
-        EXPECT_LT(norm(extrapolated[s.index()] - (1.5 * w0 - 0.5 * before)), 1e-15);
+        EXPECT_LT(norm(started.increment(s) - w0), 1e-15);
+        EXPECT_LT(norm(started.velocity_increment(s) - (1.5 * w0 - 0.5 * before)), 1e-15);
     }
 }
 

@@ -43,8 +43,8 @@ TEST(Prefilter, MissesNothingAtThresholdsOneUlpAway) {
         block.thresholds.field = [threshold](Vec3) { return threshold; };
         const Network network = block.network();
         State state{network, Scheme::cordis, 0.3};
-        for (Slot s = state.unions.first_advanced(); s < state.unions.end(); ++s) {
-            state.displacement.set(s.index(), {stretch * network.rest_position(state.unions.smallest_mass(s)).x, 0, 0});
+        for (const Slot s : state.unions.advanced()) {
+            state.set_displacement(s, {stretch * network.rest_position(state.unions.smallest_mass(s)).x, 0, 0});
         }
         accumulate_forces(network, state, Measure::nothing);
         EXPECT_EQ(sense(network, state, Prefilter::on), sense(network, state, Prefilter::off)) << ulps << " ulps";
@@ -65,7 +65,7 @@ TEST(Prefilter, MissesNothingWhereAnotherEdgeHasVanished) {
         return {rest.y < 0.5 && rest.z > 0.5 && rest.x < 0.5 ? 1.0 : 0.0, 0, 0};
     };
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
-        state.displacement.set(state.unions.slot(m).index(), at(m));
+        state.set_displacement(state.unions.slot(m), at(m));
     }
     accumulate_forces(network, state, Measure::elastic_energy);
     EXPECT_TRUE(std::isfinite(state.elastic));
@@ -78,8 +78,8 @@ TEST(Sensor, TriggersAcrossTheStretchedFaceOnly) {
     block.cells = {2, 2, 1};
     const Network network = block.network();
     State state{network, Scheme::cordis, 0.3};
-    for (Slot s = state.unions.first_advanced(); s < state.unions.end(); ++s) {
-        state.displacement.set(s.index(), {0.021 * network.rest_position(state.unions.smallest_mass(s)).x, 0, 0});
+    for (const Slot s : state.unions.advanced()) {
+        state.set_displacement(s, {0.021 * network.rest_position(state.unions.smallest_mass(s)).x, 0, 0});
     }
     accumulate_forces(network, state, Measure::nothing);
     const auto triggered = sense(network, state, Prefilter::on);

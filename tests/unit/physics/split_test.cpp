@@ -54,7 +54,7 @@ std::set<LocalDuplet> missing(const Network& network) {
 std::set<std::set<std::int32_t>> unions_of(const State& state) {
     std::set<std::set<std::int32_t>> all;
     std::vector<LocalMass> masses;
-    for (Slot s = state.unions.first_advanced(); s < state.unions.end(); ++s) {
+    for (const Slot s : state.unions.advanced()) {
         state.unions.masses(s, masses);
         std::set<std::int32_t> values;
         for (const LocalMass m : masses) {
@@ -105,8 +105,8 @@ TEST(Split, LeavesEveryMassWhereAndAsFastAsItWas) {
     test::shake(state, 0.1, 3);
     std::vector<std::array<Vec3, 2>> before;
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
-        const std::size_t s = state.unions.slot(m).index();
-        before.push_back({state.displacement[s], state.increment[s]});
+        const Slot s = state.unions.slot(m);
+        before.push_back({state.displacement(s), state.increment(s)});
     }
     std::vector<LocalDuplet> every;
     for (std::int32_t d = 0; d < static_cast<std::int32_t>(network.interfaces().size()) * 4; ++d) {
@@ -118,9 +118,9 @@ TEST(Split, LeavesEveryMassWhereAndAsFastAsItWas) {
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
         const Slot s = state.unions.slot(m);
         EXPECT_EQ(state.unions.mass_count(s), 1);
-        EXPECT_EQ(state.displacement[s.index()], before[m.index()][0]);
-        EXPECT_EQ(state.increment[s.index()], before[m.index()][1]);
-        inverse_mobility += 1 / state.mobility[s.index()];
+        EXPECT_EQ(state.displacement(s), before[m.index()][0]);
+        EXPECT_EQ(state.increment(s), before[m.index()][1]);
+        inverse_mobility += 1 / state.mobility(s);
     }
     EXPECT_NEAR(inverse_mobility * 0.09, network.mass_count() * network.model().corner_mass, 1e-9);
 }
@@ -139,9 +139,8 @@ TEST(Split, OfAHeldUnionLeavesBothPartsHeld) {
     EXPECT_EQ(split(network, every, state, splits), 4U);
     EXPECT_EQ(state.held.size(), held + 4);
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
-        const std::int32_t index = state.held_of_slot[state.unions.slot(m).index()];
-        ASSERT_GE(index, 0);
-        EXPECT_EQ(state.held[static_cast<std::size_t>(index)].slot, state.unions.slot(m));
+        ASSERT_TRUE(state.held_of_slot.contains(state.unions.slot(m)));
+        EXPECT_EQ(state.held[state.held_of_slot.at(state.unions.slot(m))].slot, state.unions.slot(m));
     }
 }
 

@@ -50,16 +50,16 @@ double growth_of_folded_entity(double share_of_bound) {
         const bool odd = (o[0] + o[1] + o[2]) % 2 != 0;
         const Vec3 rest = network.rest_position(m);
         const Vec3 target{odd ? 1.0 : 0.0, 0, 0};
-        state.displacement.set(state.unions.slot(m).index(), target - rest);
-        state.increment.set(state.unions.slot(m).index(), {odd ? 1e-9 : -1e-9, 0, 0});
+        state.set_displacement(state.unions.slot(m), target - rest);
+        state.set_increment(state.unions.slot(m), {odd ? 1e-9 : -1e-9, 0, 0});
     }
     const Slot slot = state.unions.slot(LocalMass{0});
-    const double before = std::abs(state.increment[slot.index()].x);
+    const double before = std::abs(state.increment(slot).x);
     double largest = before;
+    accumulate_forces(network, state, Measure::nothing);
     for (int step = 0; step < 60; ++step) {
-        accumulate_forces(network, state, Measure::nothing);
-        advance(network, state);
-        largest = std::max(largest, std::abs(state.increment[slot.index()].x));
+        advance(network, state, {}, Measure::nothing);
+        largest = std::max(largest, std::abs(state.increment(slot).x));
     }
     return largest / before;
 }

@@ -10,28 +10,32 @@
 namespace cracksim::physics {
 namespace {
 
-/// Slot and masses say the same of each other, and run bits tell the truth.
+/// Slot and masses say the same of each other, and what is said of batches is true.
 void expect_consistent(const Network& network, const UnionTable& unions) {
     std::set<std::int32_t> seen;
     std::vector<LocalMass> masses;
-    for (Slot s = unions.first_advanced(); s < unions.end(); ++s) {
+    for (const Slot s : unions.advanced()) {
         unions.masses(s, masses);
         ASSERT_TRUE(std::ranges::is_sorted(masses));
+        EXPECT_EQ(unions.smallest_mass(s), masses.front());
         for (const LocalMass m : masses) {
             EXPECT_EQ(unions.slot(m), s);
             EXPECT_TRUE(seen.insert(m.value()).second);
         }
     }
     EXPECT_EQ(seen.size(), static_cast<std::size_t>(network.mass_count()) - network.received().size());
-    for (std::size_t batch = 0; batch < unions.batches(); ++batch) {
-        for (int corner = 0; corner < Hexahedron::corners; ++corner) {
-            bool run = true;
-            const std::int32_t* slots = unions.slots_of_corner(corner) + batch * UnionTable::lanes;
-            for (int lane = 0; lane < UnionTable::lanes; ++lane) {
-                run = run && slots[lane] == slots[0] + lane;
-            }
-            EXPECT_EQ((unions.batch_runs()[batch] >> corner & 1) != 0, run);
+    const Lattice& lattice = unions.lattice();
+    for (std::size_t place = 0; place < lattice.batches() * Hexahedron::corners; ++place) {
+        std::set<int> found;
+        for (std::size_t lane = 0; lane < Lattice::lanes; ++lane) {
+            const std::size_t site = place / Hexahedron::corners * Lattice::lanes + lane;
+            const LocalEntity e = lattice.entity(Site{static_cast<std::int32_t>(site)});
+            const int corner = static_cast<int>(place % Hexahedron::corners);
+            const int plane = e == LocalEntity{} ? base_plane : plane_of(unions.slot(local_mass(e, corner)));
+            EXPECT_EQ(unions.lane_planes()[place * Lattice::lanes + lane], plane);
+            found.insert(plane);
         }
+        EXPECT_EQ(unions.batch_planes()[place], found.size() < 2 ? *found.begin() : UnionTable::mixed);
     }
 }
 
@@ -42,7 +46,7 @@ TEST(UnionTable, HoldsEachMassOnceFromTheStart) {
         const Network network = block.network();
         const UnionTable unions{network};
         expect_consistent(network, unions);
-        EXPECT_EQ(unions.end().value() - unions.first_advanced().value(), block.block().vertex_count());
+        EXPECT_EQ(static_cast<std::int64_t>(unions.advanced().size()), block.block().vertex_count());
     }
 }
 
@@ -51,34 +55,32 @@ TEST(UnionTable, StaysConsistentWhileUnionsFallApart) {
     block.cells = {9, 2, 2};
     const Network network = block.network();
     UnionTable unions{network};
-    const Slot last = unions.end();
     std::vector<LocalMass> masses;
-    for (Slot s = unions.first_advanced(); s < last; ++s) {
-        unions.masses(s, masses);
-        if (masses.size() < 2) {
-            continue;
+    for (int round = 0; round < 4; ++round) {
+        for (const Slot s : unions.advanced()) {
+            unions.masses(s, masses);
+            if (masses.size() < 2) {
+                continue;
+            }
+            const std::size_t cut = 1 + s.index() % (masses.size() - 1);
+            const Slot part = unions.assign(std::span{masses}.subspan(cut));
+            EXPECT_NE(unions.assign(std::span{masses}.first(cut)), part);
+            EXPECT_EQ(unions.smallest_mass(part), masses[cut]);
         }
-        const std::size_t cut = 1 + s.index() % (masses.size() - 1);
-        const Slot part = unions.append(std::span{masses}.subspan(cut));
-        unions.keep(s, std::span{masses}.first(cut));
-        EXPECT_EQ(unions.smallest_mass(part), masses[cut]);
+        expect_consistent(network, unions);
     }
-    expect_consistent(network, unions);
 }
 
-TEST(UnionTable, OfABlockLiesInRunsAlongItsRows) {
+TEST(UnionTable, OfAnIntactBlockIsInOnePlaneExceptForTheLoneMassesOfSevenCorners) {
     test::SerialBlock block;
-    block.cells = {64, 2, 2};
+    block.cells = {64, 3, 3};
     const Network network = block.network();
     const UnionTable unions{network};
-    int runs = 0;
-    for (std::size_t batch = 0; batch < unions.batches(); ++batch) {
-        runs += unions.batch_runs()[batch] == 0xff ? 1 : 0;
+    int other = 0;
+    for (std::size_t place = 0; place < unions.lattice().batches() * Hexahedron::corners; ++place) {
+        other += unions.batch_planes()[place] == base_plane ? 0 : 1;
     }
-    EXPECT_EQ(runs, 4 * 64 / UnionTable::lanes);
-    for (std::size_t batch = 0; batch < unions.batches(); ++batch) {
-        EXPECT_EQ(unions.batch_adds_by_corner()[batch] != 0, unions.batch_runs()[batch] == 0xff);
-    }
+    EXPECT_EQ(other, 7);
 }
 
 }  // namespace

@@ -1,0 +1,258 @@
+// The visco-elastic interaction on vectors of entities, once for each SIMD target: no include guard, but Highway's.
+#if defined(CRACKSIM_PHYSICS_INTERACTION_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef CRACKSIM_PHYSICS_INTERACTION_INL_HPP
+#undef CRACKSIM_PHYSICS_INTERACTION_INL_HPP
+#else
+#define CRACKSIM_PHYSICS_INTERACTION_INL_HPP
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
+#include "physics/force_sweep_view.hpp"
+#include "physics/vectors-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace cracksim::physics::HWY_NAMESPACE {
+
+/// Over the interactions of the entities: sums, and what decides about sensing and about the range of the series.
+struct Outcome {
+    V dissipated;
+    V elastic;
+    V farthest;                                 ///< largest |extension|
+    unsigned exceeded[HexahedronPairs::edges];  ///< by edge, a bit a lane
+};
+
+/// d = d0 + du, the extension |d|^2/L0^2 - 1 = (2 d0 + du).du / L0^2, without cancellation, and dw.d.
+struct Stretched {
+    V3 distance;
+    V extension;
+    V rate;
+};
+
+template <std::size_t I>
+HWY_INLINE Stretched Stretch(const InteractionConstants& c, const V3& du, const V3& dw) {
+    const D d;
+    const V scale = hn::Set(d, c.inverse_squared_length);
+    if constexpr (I < HexahedronPairs::edges) {
+        // Edges of a box lie along an axis: across it, d and 2 d0 + du are du.
+        constexpr std::size_t axis = I / HexahedronPairs::edges_per_axis;
+        const V rest = hn::Set(d, c.rest[axis]);
+        const V along = axis == 0 ? du.x : axis == 1 ? du.y : du.z;
+        const V second = axis == 0 ? du.y : axis == 1 ? du.z : du.x;
+        const V third = axis == 0 ? du.z : axis == 1 ? du.x : du.y;
+        const V across = hn::MulAdd(second, second, hn::Mul(third, third));
+        const V distance = hn::Add(rest, along);
+        const V extension = hn::Mul(scale, hn::MulAdd(hn::Add(rest, distance), along, across));
+        const V3 all{axis == 0 ? distance : du.x, axis == 1 ? distance : du.y, axis == 2 ? distance : du.z};
+        return {all, extension, Dot(dw, all)};
+    } else {
+        const V3 rest{hn::Set(d, c.rest[0]), hn::Set(d, c.rest[1]), hn::Set(d, c.rest[2])};
+        const V3 distance{hn::Add(rest.x, du.x), hn::Add(rest.y, du.y), hn::Add(rest.z, du.z)};
+        const V3 twice{hn::Add(rest.x, distance.x), hn::Add(rest.y, distance.y), hn::Add(rest.z, distance.z)};
+        return {distance, hn::Mul(scale, Dot(twice, du)), Dot(dw, distance)};
+    }
+}
+
+/// With the extension x: the shortfall g = 1 - L0/|d| = 1 - (1 + x)^(-1/2), and r = L0/|d| = 1 - g.
+struct Ratio {
+    V shortfall;
+    V inverse;
+};
+
+/// For |x - 0.075| <= 0.425, without division or root. g0 = x P(x) is right to 0.1 %; with the residual R = (1 + x)(1 - g0)^2 - 1,
+/// r = (1 - g0)(1 + R)^(-1/2) to the third power of R: to the last bit of g, relative to g, however small x.
+HWY_INLINE Ratio NearRatio(V x) {
+    const D d;
+    V p = hn::MulAdd(hn::Set(d, Series::p4), x, hn::Set(d, Series::p3));
+    p = hn::MulAdd(p, x, hn::Set(d, Series::p2));
+    p = hn::MulAdd(p, x, hn::Set(d, Series::p1));
+    p = hn::MulAdd(p, x, hn::Set(d, Series::p0));
+    const V one = hn::Set(d, 1.0);
+    const V g0 = hn::Mul(p, x);
+    const V r0 = hn::Sub(one, g0);
+    const V residual = hn::NegMulAdd(hn::Mul(g0, hn::Add(one, r0)), hn::Add(one, x), x);
+    V q = hn::MulAdd(residual, hn::Set(d, 5.0 / 16), hn::Set(d, -3.0 / 8));
+    q = hn::Mul(residual, hn::MulAdd(q, residual, hn::Set(d, 0.5)));
+    const V correction = hn::Mul(r0, q);
+    return {hn::Add(g0, correction), hn::Sub(r0, correction)};
+}
+
+/// Whatever x; in the range of NearRatio with its bits. A vanished length has no direction: no force.
+HWY_INLINE Ratio AnyRatio(V x) {
+    const D d;
+    const V one = hn::Set(d, 1.0);
+    const V squared = hn::Add(one, x);
+    const V length = hn::Sqrt(squared);
+    const auto vanished = hn::Lt(squared, hn::Set(d, Series::tiny_squared));
+    const Ratio near = NearRatio(x);
+    const auto is_near = hn::Le(hn::Abs(hn::Sub(x, hn::Set(d, Series::centre))), hn::Set(d, Series::reach));
+    const V g = hn::IfThenElse(is_near, near.shortfall, hn::Div(x, hn::Add(squared, length)));
+    const V r = hn::IfThenElse(is_near, near.inverse, hn::Div(one, length));
+    return {hn::IfThenZeroElse(vanished, g), hn::IfThenZeroElse(vanished, r)};
+}
+
+/// (|d|/L0 - 1)^2, from g and r; all of it where the length has vanished.
+HWY_INLINE V SquaredStretch(V x, const Ratio& ratio) {
+    const D d;
+    const V squared = hn::Add(hn::Set(d, 1.0), x);
+    const auto vanished = hn::Lt(squared, hn::Set(d, Series::tiny_squared));
+    const V g2 = hn::Mul(ratio.shortfall, ratio.shortfall);
+    return hn::IfThenElse(vanished, hn::Set(d, 1.0), hn::Mul(g2, squared));
+}
+
+/// The force of interaction I on its first corner over d, `weight` times: weight (k g + z' q r^2) with q = dw.d, z' = z/(dt L0^2).
+/// kPlain: all weights are above zero.
+template <std::size_t I, bool kPlain, bool kFar, bool kMeasure>
+HWY_INLINE V Factor(const InteractionConstants& c, const Stretched& s, V weight, const float* limit, Outcome& sums) {
+    const D d;
+    const Ratio ratio = kFar ? AnyRatio(s.extension) : NearRatio(s.extension);
+    const V drag = hn::Mul(hn::Mul(hn::Set(d, c.viscosity_rate), s.rate), hn::Mul(ratio.inverse, ratio.inverse));
+    sums.dissipated = hn::MulAdd(hn::Mul(weight, s.rate), drag, sums.dissipated);
+    if constexpr (kMeasure) {
+        const V energy = hn::Mul(hn::Mul(weight, hn::Set(d, c.half_energy)), SquaredStretch(s.extension, ratio));
+        sums.elastic = hn::Add(sums.elastic, energy);
+    }
+    if constexpr (!kFar) {
+        const V off = hn::Abs(hn::Sub(s.extension, hn::Set(d, Series::centre)));
+        // The ends of what is void or carried by another entity may be anywhere.
+        sums.farthest = hn::Max(sums.farthest, kPlain ? off : hn::IfThenZeroElse(hn::Eq(weight, hn::Zero(d)), off));
+    }
+    if constexpr (I < HexahedronPairs::edges) {
+        constexpr std::size_t axis = I / HexahedronPairs::edges_per_axis;
+        const hn::Rebind<float, D> df;
+        const V bound = hn::PromoteTo(d, hn::LoadU(df, limit + axis * Lattice::lanes));
+        sums.exceeded[I] = Bits(hn::Gt(s.extension, bound));
+    }
+    return hn::Mul(weight, hn::MulAdd(hn::Set(d, c.stiffness), ratio.shortfall, drag));
+}
+
+HWY_INLINE V3 Plus(V factor, const V3& distance, const V3& sum) {
+    return {hn::MulAdd(factor, distance.x, sum.x), hn::MulAdd(factor, distance.y, sum.y),
+            hn::MulAdd(factor, distance.z, sum.z)};
+}
+
+HWY_INLINE V3 Minus(V factor, const V3& distance, const V3& sum) {
+    return {hn::NegMulAdd(factor, distance.x, sum.x), hn::NegMulAdd(factor, distance.y, sum.y),
+            hn::NegMulAdd(factor, distance.z, sum.z)};
+}
+
+HWY_INLINE Outcome Nothing() {
+    const D d;
+    const V zero = hn::Zero(d);
+    return {zero, zero, zero, {}};
+}
+
+HWY_INLINE V Weight(const std::uint8_t* weights, std::size_t interaction) {
+    const D d;
+    const hn::Rebind<std::uint8_t, D> d8;
+    const hn::Rebind<std::int32_t, D> d32;
+    return hn::PromoteTo(d, hn::PromoteTo(d32, hn::LoadU(d8, weights + interaction * Lattice::lanes)));
+}
+
+HWY_INLINE bool IsFar(const Outcome& outcome) {
+    const D d;
+    return HWY_UNLIKELY(!hn::AllTrue(d, hn::Le(outcome.farthest, hn::Set(d, Series::reach))));
+}
+
+/// What the sweep of a row adds up over its batches.
+struct RowSums {
+    V dissipated;
+    V elastic;
+};
+
+template <bool kMeasure>
+HWY_INLINE void Collect(const Outcome& outcome, const std::uint8_t* weights, std::size_t lane, EdgeBits& exceeded,
+                        RowSums& sums) {
+    const V owned = Weight(weights, HexahedronPairs::count);
+    sums.dissipated = hn::MulAdd(owned, outcome.dissipated, sums.dissipated);
+    if constexpr (kMeasure) {
+        sums.elastic = hn::MulAdd(owned, outcome.elastic, sums.elastic);
+    }
+    for (std::size_t edge = 0; edge < HexahedronPairs::edges; ++edge) {
+        exceeded.add(edge, std::uint64_t{outcome.exceeded[edge]} << lane);
+    }
+}
+
+/// Forces summed so far, by corner.
+struct Forces {
+    V3 f[Hexahedron::corners];
+};
+
+/// Where the motions of some entities' corners are: displacements and what damping takes for their increments.
+struct Corners {
+    const double* u[Hexahedron::corners];
+    const double* w[Hexahedron::corners];
+    std::size_t stride[Hexahedron::corners];
+
+    template <std::size_t C>
+    HWY_INLINE V3 Displacement() const {
+        return Load3(u[C], stride[C]);
+    }
+    template <std::size_t C>
+    HWY_INLINE V3 VelocityIncrement() const {
+        return Load3(w[C], stride[C]);
+    }
+};
+
+template <std::size_t I, class From>
+HWY_INLINE Stretched StretchOf(const SweepView& v, const From& from) {
+    constexpr auto a = static_cast<std::size_t>(HexahedronPairs::corners[I][0]);
+    constexpr auto b = static_cast<std::size_t>(HexahedronPairs::corners[I][1]);
+    return Stretch<I>(v.interaction[I], Sub(from.template Displacement<b>(), from.template Displacement<a>()),
+                      Sub(from.template VelocityIncrement<b>(), from.template VelocityIncrement<a>()));
+}
+
+/// Calls action(I) for the interactions that are carried, I being a constant.
+template <class Action>
+HWY_INLINE void ForEachCarried(unsigned carried, Action&& action) {
+    const auto call_all = [&]<std::size_t... I>(std::index_sequence<I...>) {
+        const auto call = [&](auto i) {
+            if ((carried >> i & 1U) != 0) {
+                action(i);
+            }
+        };
+        (call(std::integral_constant<std::size_t, I>{}), ...);
+    };
+    call_all(std::make_index_sequence<HexahedronPairs::count>{});
+}
+
+/// What is carried of all 16 interactions, onto forces of zero. In three passes: one interaction is a long chain of operations, and
+/// only where several of them are close to each other in the program does the processor work on them at once.
+template <bool kFar, bool kMeasure, class From>
+HWY_INLINE void AddCarried(const SweepView& v, unsigned carried, const From& from, const std::uint8_t* weights,
+                           const float* limits, Forces& forces, Outcome& outcome) {
+    std::fill(std::begin(forces.f), std::end(forces.f), Zero3());
+    outcome = Nothing();
+    Stretched stretched[HexahedronPairs::count];
+    V factor[HexahedronPairs::count];
+    ForEachCarried(carried, [&](auto i) { stretched[i] = StretchOf<i>(v, from); });
+    ForEachCarried(carried, [&](auto i) {
+        factor[i] = Factor<i, false, kFar, kMeasure>(v.interaction[i], stretched[i], Weight(weights, i), limits, outcome);
+    });
+    ForEachCarried(carried, [&](auto i) {
+        V3& first = forces.f[HexahedronPairs::corners[i][0]];
+        V3& second = forces.f[HexahedronPairs::corners[i][1]];
+        first = Plus(factor[i], stretched[i].distance, first);
+        second = Minus(factor[i], stretched[i].distance, second);
+    });
+}
+
+/// In case of large stretches, the same with what holds everywhere.
+template <bool kMeasure, class From>
+HWY_NOINLINE void AddFar(const SweepView& v, unsigned carried, const From& from, const std::uint8_t* weights,
+                         const float* limits, Forces& forces, Outcome& outcome) {
+    AddCarried<true, kMeasure>(v, carried, from, weights, limits, forces, outcome);
+}
+
+/// The lower and the upper corner along x on each side of an entity.
+constexpr std::array<std::array<int, 2>, Lattice::sides> corners_of_side{{{0, 1}, {3, 2}, {4, 5}, {7, 6}}};
+
+}  // namespace cracksim::physics::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

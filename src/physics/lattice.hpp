@@ -1,0 +1,93 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/block.hpp"
+#include "core/id_array.hpp"
+#include "core/ids.hpp"
+
+namespace cracksim::physics {
+
+/// Place of an entity, or of a vertex, in this rank's rows. Places say nothing outside this rank and never reach a result's bits.
+using Site = Id<struct SiteTag, std::int32_t>;
+using VertexSite = Id<struct VertexSiteTag, std::int32_t>;
+
+/// The local entities and their vertices in rows along x, for sweeps over `lanes` neighbours at once. A row has a place for each
+/// cell from its first local entity to its last, and void ones up to a multiple of the lanes, one at least: so the vertices of its
+/// entities fit in as many places. Entities that consecutive places hold have consecutive vertices.
+class Lattice {
+public:
+    static constexpr int lanes = 8;
+    /// Vertex rows that a row of cells meets, by lower/upper y + 2 * lower/upper z.
+    static constexpr std::size_t sides = 4;
+
+    struct CellRow {
+        std::int32_t first_batch;
+        std::int32_t batches;
+        std::array<std::int32_t, sides> vertex_row;
+        std::array<std::int32_t, sides> offset;     ///< of the first cell's lower vertex in each of them
+        std::array<std::int32_t, sides> to_vertex;  ///< from a cell's site to its lower vertex there
+    };
+    struct VertexRow {
+        std::int32_t first;
+        std::int32_t length;
+        std::array<std::int32_t, sides>
+            cell_row;  ///< the row that has this one as its vertex_row[side]; -1: none is local
+    };
+
+    /// entities: ascending.
+    Lattice(const Block& block, const IdArray<LocalEntity, EntityId>& entities);
+
+    [[nodiscard]] const std::vector<CellRow>& cell_rows() const { return cell_rows_; }
+    [[nodiscard]] const std::vector<VertexRow>& vertex_rows() const { return vertex_rows_; }
+    [[nodiscard]] std::size_t batches() const { return row_of_batch_.size(); }
+    [[nodiscard]] std::size_t vertex_sites() const { return row_of_vertices_.size() * lanes; }
+
+    [[nodiscard]] Site site(LocalEntity e) const { return site_[e]; }
+    /// None on a void place.
+    [[nodiscard]] LocalEntity entity(Site s) const { return entity_[s.index()]; }
+    [[nodiscard]] VertexSite vertex(LocalMass m) const {
+        const std::int32_t s = site(entity_of(m)).value();
+        const CellRow& row = cell_rows_[static_cast<std::size_t>(row_of_batch_[static_cast<std::size_t>(s / lanes)])];
+        return VertexSite{s + row.to_vertex[side(corner_of(m))] + along(corner_of(m))};
+    }
+    [[nodiscard]] std::int32_t vertex_row(VertexSite v) const { return row_of_vertices_[v.index() / lanes]; }
+    /// The mass at a vertex that is the given corner of its entity; none if that entity is not local.
+    [[nodiscard]] LocalMass mass_at(VertexSite v, int corner) const {
+        const VertexRow& vertices = vertex_rows_[static_cast<std::size_t>(vertex_row(v))];
+        const std::int32_t index = vertices.cell_row[side(corner)];
+        if (index < 0) {
+            return LocalMass{};
+        }
+        const CellRow& row = cell_rows_[static_cast<std::size_t>(index)];
+        const std::int32_t from_first = v.value() - vertices.first - row.offset[side(corner)] - along(corner);
+        if (from_first < 0 || from_first >= row.batches * lanes) {
+            return LocalMass{};
+        }
+        const LocalEntity e = entity(Site{row.first_batch * lanes + from_first});
+        return e == LocalEntity{} ? LocalMass{} : local_mass(e, corner);
+    }
+
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+    /// The side of a corner's vertex row, and its place along x.
+    [[nodiscard]] static constexpr std::size_t side(int corner) {
+        const auto& o = Hexahedron::offset[static_cast<std::size_t>(corner)];
+        return static_cast<std::size_t>(o[1]) + 2 * static_cast<std::size_t>(o[2]);
+    }
+    [[nodiscard]] static constexpr int along(int corner) {
+        return Hexahedron::offset[static_cast<std::size_t>(corner)][0];
+    }
+
+private:
+    std::vector<CellRow> cell_rows_;
+    std::vector<VertexRow> vertex_rows_;
+    std::vector<std::int32_t> row_of_batch_;
+    std::vector<std::int32_t> row_of_vertices_;
+    IdArray<LocalEntity, Site> site_;
+    std::vector<LocalEntity> entity_;
+};
+
+}  // namespace cracksim::physics

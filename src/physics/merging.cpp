@@ -1,0 +1,111 @@
+#include "physics/merging.hpp"
+
+#include <algorithm>
+
+namespace cracksim::physics {
+
+namespace {
+
+constexpr bool is_lower(int corner, int axis) {
+    return Hexahedron::offset[static_cast<std::size_t>(corner)][static_cast<std::size_t>(axis)] == 0;
+}
+
+/// The edge along an axis whose lower end is the given corner.
+constexpr int edge_from(int corner, int axis) {
+    for (int i = axis * HexahedronPairs::edges_per_axis; i < (axis + 1) * HexahedronPairs::edges_per_axis; ++i) {
+        if (HexahedronPairs::corners[static_cast<std::size_t>(i)][0] == corner) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+}  // namespace
+
+EdgeCopies edge_copies(const UnionTable& unions, VertexSite lower, int axis) {
+    EdgeCopies found;
+    for (const int corner : UnionTable::ascending) {
+        const LocalMass m = is_lower(corner, axis) ? unions.lattice().mass_at(lower, corner) : LocalMass{};
+        if (m != LocalMass{}) {
+            const LocalMass other = local_mass(entity_of(m), Hexahedron::across(corner, axis));
+            found.copy[found.count++] = {entity_of(m), edge_from(corner, axis), unions.label(m), unions.label(other)};
+        }
+    }
+    return found;
+}
+
+Merging::Merging(const Network& network, const UnionTable& unions)
+    : weight_(unions.lattice().batches() * bytes_per_batch, 0), carried_(unions.lattice().batches(), 0) {
+    for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
+        weight_[place(unions, e, owned_row)] = network.owned(e) ? 1 : 0;
+        for (int i = HexahedronPairs::edges; i < HexahedronPairs::count; ++i) {
+            const auto [a, b] = HexahedronPairs::corners[static_cast<std::size_t>(i)];
+            const auto felt = [&](int corner) {
+                return unions.is_touched(unions.lattice().vertex(local_mass(e, corner)));
+            };
+            set_weight(unions, e, i, felt(a) || felt(b) ? 1 : 0);
+        }
+    }
+    find_full_batches();
+    for (VertexSite v{0}; v.index() < unions.lattice().vertex_sites(); ++v) {
+        for (int axis = 0; axis < 3; ++axis) {
+            update_edge(unions, v, axis);
+        }
+    }
+}
+
+void Merging::find_full_batches() {
+    for (std::size_t batch = 0; batch < carried_.size(); ++batch) {
+        const auto begin = weight_.begin() + static_cast<std::ptrdiff_t>(batch * bytes_per_batch);
+        const bool all =
+            std::all_of(begin + HexahedronPairs::edges * Lattice::lanes,
+                        begin + HexahedronPairs::count * Lattice::lanes, [](std::uint8_t w) { return w == 1; });
+        carried_[batch] |= all ? 1U << full : 0U;
+    }
+}
+
+void Merging::set_weight(const UnionTable& unions, LocalEntity e, int interaction, int weight) {
+    const auto row = static_cast<std::size_t>(interaction);
+    weight_[place(unions, e, row)] = static_cast<std::uint8_t>(weight);
+    const std::size_t batch = unions.lattice().site(e).index() / Lattice::lanes;
+    const auto lanes = weight_.begin() + static_cast<std::ptrdiff_t>(batch * bytes_per_batch + row * Lattice::lanes);
+    const bool any = std::any_of(lanes, lanes + Lattice::lanes, [](std::uint8_t w) { return w != 0; });
+    const unsigned bit = 1U << row;
+    carried_[batch] = any ? carried_[batch] | bit : carried_[batch] & ~bit;
+}
+
+void Merging::update_edge(const UnionTable& unions, VertexSite lower, int axis) {
+    const EdgeCopies all = edge_copies(unions, lower, axis);
+    if (all.count == 0) {
+        return;
+    }
+    const int upper_corner = HexahedronPairs::corners[static_cast<std::size_t>(all.copy[0].edge)][1];
+    const VertexSite upper = unions.lattice().vertex(local_mass(all.copy[0].entity, upper_corner));
+    const bool felt = unions.is_touched(lower) || unions.is_touched(upper);
+    for (std::size_t i = 0; i < all.count; ++i) {
+        int same = 0;
+        bool carried_before = false;
+        for (std::size_t j = 0; j < all.count; ++j) {
+            const bool merged = EdgeCopies::merged(all.copy[i], all.copy[j]);
+            same += merged ? 1 : 0;
+            carried_before = carried_before || (merged && j < i);
+        }
+        set_weight(unions, all.copy[i].entity, all.copy[i].edge, felt && !carried_before ? same : 0);
+    }
+}
+
+void Merging::update(const UnionTable& unions, VertexSite v) {
+    for (int axis = 0; axis < 3; ++axis) {
+        update_edge(unions, v, axis);
+        for (const int corner : UnionTable::ascending) {
+            const LocalMass m = is_lower(corner, axis) ? LocalMass{} : unions.lattice().mass_at(v, corner);
+            if (m != LocalMass{}) {
+                update_edge(unions, unions.lattice().vertex(local_mass(entity_of(m), Hexahedron::across(corner, axis))),
+                            axis);
+                break;
+            }
+        }
+    }
+}
+
+}  // namespace cracksim::physics

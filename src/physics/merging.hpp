@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "physics/entity_model.hpp"
+#include "physics/union_table.hpp"
+
+namespace cracksim::physics {
+
+/// One of the entities that share an edge of the lattice, and which of its edges that is.
+struct EdgeCopy {
+    LocalEntity entity;
+    int edge;
+    int lower_label;  ///< of the masses at its ends
+    int upper_label;
+};
+
+/// The up to four local copies of an edge, by ascending entity.
+struct EdgeCopies {
+    std::array<EdgeCopy, 4> copy{};
+    std::size_t count{0};
+
+    [[nodiscard]] static bool merged(const EdgeCopy& a, const EdgeCopy& b) {
+        return a.lower_label == b.lower_label && a.upper_label == b.upper_label;
+    }
+};
+
+/// The copies of the edge that goes up along an axis from a vertex.
+[[nodiscard]] EdgeCopies edge_copies(const UnionTable& unions, VertexSite lower, int axis);
+
+/// Entities that share an edge and the unions at both its ends have the same visco-elastic interaction along it. The smallest of them
+/// carries it, for all: its force is computed once and counted as often. Who carries what follows from the split state alone.
+class Merging {
+public:
+    /// The rows of a batch's weights: its interactions, then 1 for the entities that this rank owns.
+    static constexpr std::size_t rows = HexahedronPairs::count + 1;
+    static constexpr std::size_t owned_row = HexahedronPairs::count;
+    static constexpr std::size_t bytes_per_batch = rows * Lattice::lanes;
+
+    Merging(const Network& network, const UnionTable& unions);
+
+    /// How many entities' interaction this is that e carries: 0 if another one carries it, or if no union at its ends is advanced here.
+    [[nodiscard]] int weight(const UnionTable& unions, LocalEntity e, int interaction) const {
+        return weight_[place(unions, e, static_cast<std::size_t>(interaction))];
+    }
+    /// Brings the edges at a vertex up to date with the labels of its masses.
+    void update(const UnionTable& unions, VertexSite v);
+
+    /// [batch][row][lane]
+    [[nodiscard]] const std::uint8_t* weights() const { return weight_.data(); }
+    /// [batch]: bit i is set where some entity carries interaction i, bit `full` where no lane is void and all diagonals are carried.
+    [[nodiscard]] const std::uint32_t* carried() const { return carried_.data(); }
+    static constexpr unsigned full = HexahedronPairs::count;
+
+    [[nodiscard]] std::size_t memory_bytes() const {
+        return weight_.capacity() + carried_.capacity() * sizeof(std::uint32_t);
+    }
+
+private:
+    [[nodiscard]] static std::size_t place(const UnionTable& unions, LocalEntity e, std::size_t row) {
+        const std::size_t s = unions.lattice().site(e).index();
+        return s / Lattice::lanes * bytes_per_batch + row * Lattice::lanes + s % Lattice::lanes;
+    }
+    void set_weight(const UnionTable& unions, LocalEntity e, int interaction, int weight);
+    void find_full_batches();
+    void update_edge(const UnionTable& unions, VertexSite lower, int axis);
+
+    std::vector<std::uint8_t> weight_;
+    std::vector<std::uint32_t> carried_;
+};
+
+}  // namespace cracksim::physics

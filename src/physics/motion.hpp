@@ -1,0 +1,132 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "core/contracts.hpp"
+#include "core/vec3.hpp"
+#include "physics/lattice.hpp"
+
+namespace cracksim::physics {
+
+/// Place of a Mass-union's motion: 8 * vertex + plane. The planes of a vertex are for the parts that its masses fell into.
+using Slot = Id<struct SlotTag, std::int32_t>;
+
+constexpr int planes = 8;
+/// Holds the part with the vertex's smallest mass, and so every whole union but lone masses.
+constexpr int base_plane = 6;
+[[nodiscard]] constexpr Slot slot_of(VertexSite v, int plane) { return Slot{v.value() * planes + plane}; }
+[[nodiscard]] constexpr VertexSite vertex_of(Slot s) { return VertexSite{s.value() / planes}; }
+[[nodiscard]] constexpr int plane_of(Slot s) { return s.value() % planes; }
+
+/// What a slot holds, as the first of its components: u (m), w (m), the force on the union (N), dt^2/M (s^2/kg), and with ab2
+/// what damping takes for w (m).
+struct Quantity {
+    static constexpr std::size_t displacement = 0;
+    static constexpr std::size_t increment = 3;
+    static constexpr std::size_t force = 6;
+    static constexpr std::size_t mobility = 9;
+    static constexpr std::size_t extrapolated = 10;
+};
+
+/// Whole cache lines, for aligned vectors.
+template <class T>
+struct LineAllocator {
+    using value_type = T;
+    static constexpr std::align_val_t line{64};
+
+    LineAllocator() = default;
+    template <class U>
+    explicit LineAllocator(const LineAllocator<U>&) {}
+
+    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), line)); }
+    void deallocate(T* p, std::size_t) { ::operator delete(p, line); }
+    friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
+};
+
+using LineVector = std::vector<double, LineAllocator<double>>;
+
+/// The motion of all unions of this rank. The base plane has a place for each vertex, component after component. Of the other planes
+/// there are blocks for the groups of vertices in which unions fell apart: of a group's lanes, component after component.
+class Motion {
+public:
+    /// From one component to the next in a block.
+    static constexpr std::size_t block_stride = Lattice::lanes;
+
+    Motion(const Lattice& lattice, bool extrapolates);
+
+    /// Makes sure that a slot has memory; what is new is zero. Moves the blocks.
+    void open(Slot s);
+    [[nodiscard]] Vec3 get(Slot s, std::size_t quantity) const {
+        const Place<const double> p = place(s);
+        return {*p.at(quantity), *p.at(quantity + 1), *p.at(quantity + 2)};
+    }
+    void set(Slot s, std::size_t quantity, Vec3 value);
+    [[nodiscard]] double& mobility(Slot s) { return *place(s).at(Quantity::mobility); }
+    [[nodiscard]] double mobility(Slot s) const { return *place(s).at(Quantity::mobility); }
+    /// All components of a slot to another one, which has memory.
+    void copy(Slot from, Slot to);
+    /// All components of a slot to zero.
+    void clear(Slot s);
+    /// The forces of all slots to zero.
+    void clear_forces();
+
+    /// The first component at the first vertex.
+    [[nodiscard]] double* base() { return base_.data(); }
+    [[nodiscard]] std::size_t base_stride() const { return base_stride_; }
+    /// A vector that has one of its lanes in a block may be read and written whole: what is before and after is memory, too.
+    [[nodiscard]] double* blocks() { return blocks_.data() + guard; }
+    [[nodiscard]] std::size_t block_size() const { return components_ * block_stride; }
+    /// [group of vertices][plane]: which block that is, -1 if there is none.
+    [[nodiscard]] const std::int32_t* block_of() const { return block_of_.data(); }
+    /// [group of vertices]: bit p is set where plane p has a block.
+    [[nodiscard]] const std::vector<std::uint8_t>& planes_in_use() const { return planes_in_use_; }
+    [[nodiscard]] double* block(std::size_t group, int plane) {
+        return blocks() + static_cast<std::size_t>(block_of_[entry(group, plane)]) * block_size();
+    }
+
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+private:
+    static constexpr std::size_t guard = Lattice::lanes;
+
+    template <class T>
+    struct Place {
+        T* first;
+        std::size_t stride;
+
+        [[nodiscard]] T* at(std::size_t component) const { return first + component * stride; }
+    };
+
+    [[nodiscard]] static std::size_t entry(std::size_t group, int plane) {
+        return group * planes + static_cast<std::size_t>(plane);
+    }
+    [[nodiscard]] Place<const double> place(Slot s) const {
+        const std::size_t v = vertex_of(s).index();
+        if (plane_of(s) == base_plane) {
+            return {base_.data() + v, base_stride_};
+        }
+        const std::int32_t index = block_of_[entry(v / Lattice::lanes, plane_of(s))];
+        CRACKSIM_EXPECT(index >= 0);
+        return {blocks_.data() + guard + static_cast<std::size_t>(index) * block_size() + v % Lattice::lanes,
+                block_stride};
+    }
+    [[nodiscard]] Place<double> place(Slot s) {
+        const Place<const double> found = std::as_const(*this).place(s);
+        return {const_cast<double*>(found.first), found.stride};
+    }
+    void make_room();
+
+    std::size_t components_;
+    std::size_t base_stride_;
+    LineVector base_;
+    LineVector blocks_;
+    std::size_t block_count_{0};
+    std::vector<std::int32_t> block_of_;
+    std::vector<std::uint8_t> planes_in_use_;
+};
+
+}  // namespace cracksim::physics

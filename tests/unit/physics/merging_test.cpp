@@ -1,0 +1,83 @@
+#include "physics/merging.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <tuple>
+
+#include "core/hash.hpp"
+#include "physics/split.hpp"
+#include "physics/state.hpp"
+#include "support/serial_network.hpp"
+
+namespace cracksim::physics {
+namespace {
+
+/// For each edge of the block and each pair of unions at its ends: the entities that have it, found by a look at all of them.
+using Groups = std::map<std::tuple<VertexId, VertexId, Slot, Slot>, std::vector<std::pair<LocalEntity, int>>>;
+
+Groups groups_of(const Network& network, const State& state) {
+    Groups groups;
+    for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
+        for (int i = 0; i < HexahedronPairs::edges; ++i) {
+            const auto [a, b] = HexahedronPairs::corners[static_cast<std::size_t>(i)];
+            const auto vertex = [&](int c) { return network.block().vertex(network.entity(e), c); };
+            const auto slot = [&](int c) { return state.unions.slot(local_mass(e, c)); };
+            groups[{vertex(a), vertex(b), slot(a), slot(b)}].emplace_back(e, i);
+        }
+    }
+    return groups;
+}
+
+void expect_smallest_carries_all(const Network& network, const State& state) {
+    for (const auto& [key, copies] : groups_of(network, state)) {
+        for (std::size_t i = 0; i < copies.size(); ++i) {
+            const auto [e, edge] = copies[i];
+            EXPECT_EQ(state.merging.weight(state.unions, e, edge), i == 0 ? static_cast<int>(copies.size()) : 0);
+        }
+    }
+    for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
+        for (int i = HexahedronPairs::edges; i < HexahedronPairs::count; ++i) {
+            EXPECT_EQ(state.merging.weight(state.unions, e, i), 1);
+        }
+    }
+}
+
+TEST(Merging, LetsTheSmallestEntityCarryWhatSharesBothUnions) {
+    for (const std::array<std::int64_t, 3> cells : {std::array<std::int64_t, 3>{1, 1, 1}, {10, 3, 4}}) {
+        test::SerialBlock block;
+        block.cells = cells;
+        const Network network = block.network();
+        State state{network, Scheme::cordis, 0.3};
+        expect_smallest_carries_all(network, state);
+        for (std::uint64_t round = 0; round < 6; ++round) {
+            std::vector<LocalDuplet> some;
+            for (std::int32_t d = 0; d < static_cast<std::int32_t>(network.interfaces().size()) * 4; ++d) {
+                if (state.sensing.is_active(LocalDuplet{d}) && mix(round, static_cast<std::uint64_t>(d)) % 4 == 0) {
+                    some.emplace_back(d);
+                }
+            }
+            SplitStream splits;
+            split(network, some, state, splits);
+            expect_smallest_carries_all(network, state);
+        }
+    }
+}
+
+TEST(Merging, LeavesSevenInteractionsAnEntityInsideAnIntactBlock) {
+    test::SerialBlock block;
+    block.cells = {16, 8, 8};
+    const Network network = block.network();
+    const State state{network, Scheme::cordis, 0.3};
+    std::int64_t carried = 0;
+    for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
+        for (int i = 0; i < HexahedronPairs::count; ++i) {
+            carried += state.merging.weight(state.unions, e, i) > 0 ? 1 : 0;
+        }
+    }
+    const auto [x, y, z] = block.cells;
+    EXPECT_EQ(carried, x * (y + 1) * (z + 1) + (x + 1) * y * (z + 1) + (x + 1) * (y + 1) * z + 4 * x * y * z);
+}
+
+}  // namespace
+}  // namespace cracksim::physics

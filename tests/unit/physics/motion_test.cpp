@@ -1,0 +1,122 @@
+#include "physics/motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+#include "physics/state.hpp"
+#include "support/serial_network.hpp"
+
+namespace cracksim::physics {
+namespace {
+
+TEST(Motion, KeepsEachComponentOfEachSlotApart) {
+    test::SerialBlock block;
+    block.cells = {9, 2, 2};
+    const Network network = block.network();
+    const UnionTable unions{network};
+    const Lattice& lattice = unions.lattice();
+    Motion motion{lattice, true};
+    const auto value = [](Slot s, std::size_t quantity) {
+        const double first = s.value() * 100.0 + static_cast<double>(quantity);
+        return Vec3{first, first + 0.25, first + 0.5};
+    };
+    constexpr std::size_t quantities[] = {Quantity::displacement, Quantity::increment, Quantity::force,
+                                          Quantity::extrapolated};
+    for (const Slot s : unions.advanced()) {
+        motion.open(s);
+        for (const std::size_t quantity : quantities) {
+            motion.set(s, quantity, value(s, quantity));
+        }
+        motion.mobility(s) = s.value();
+    }
+    for (const Slot s : unions.advanced()) {
+        for (const std::size_t quantity : quantities) {
+            EXPECT_EQ(motion.get(s, quantity), value(s, quantity));
+        }
+        EXPECT_EQ(motion.mobility(s), s.value());
+    }
+}
+
+TEST(Motion, TakesABlockWithTheFirstUnionOfAPlaneInAGroup) {
+    test::SerialBlock block;
+    block.cells = {64, 4, 4};
+    const Network network = block.network();
+    const UnionTable unions{network};
+    Motion motion{unions.lattice(), false};
+    const VertexSite v = unions.lattice().vertex(LocalMass{8 * 30});
+    const std::size_t group = v.index() / Lattice::lanes;
+    EXPECT_EQ(motion.planes_in_use()[group], 0U);
+    motion.open(slot_of(v, base_plane));
+    EXPECT_EQ(motion.planes_in_use()[group], 0U);
+    motion.open(slot_of(v, 2));
+    EXPECT_EQ(motion.planes_in_use()[group], 1U << 2U);
+    EXPECT_EQ(motion.get(slot_of(v, 2), Quantity::increment), (Vec3{0, 0, 0}));
+    motion.set(slot_of(v, 2), Quantity::increment, {1, 2, 3});
+    const std::size_t bytes = motion.memory_bytes();
+    const VertexSite neighbour{static_cast<std::int32_t>(group * Lattice::lanes + (v.index() + 1) % Lattice::lanes)};
+    motion.open(slot_of(neighbour, 2));
+    EXPECT_EQ(motion.memory_bytes(), bytes);
+    EXPECT_EQ(motion.get(slot_of(neighbour, 2), Quantity::increment), (Vec3{0, 0, 0}));
+    EXPECT_EQ(motion.get(slot_of(v, 2), Quantity::increment), (Vec3{1, 2, 3}));
+}
+
+TEST(Motion, KeepsWhatItHoldsWhileBlocksAreAdded) {
+    test::SerialBlock block;
+    block.cells = {40, 5, 5};
+    const Network network = block.network();
+    const UnionTable unions{network};
+    Motion motion{unions.lattice(), false};
+    const auto value = [](Slot s) { return Vec3{1.0 * s.value(), 2.0 * s.value(), 3.0 * s.value()}; };
+    // In an order that is not that of the places.
+    const std::vector<Slot> slots = unions.advanced();
+    std::vector<Slot> opened;
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        const VertexSite v = vertex_of(slots[i * 577 % slots.size()]);
+        const Slot s = slot_of(v, v.value() % planes);
+        motion.open(s);
+        motion.set(s, Quantity::increment, value(s));
+        opened.push_back(s);
+        for (std::size_t j = 0; j < opened.size(); j += 1 + opened.size() / 10) {
+            ASSERT_EQ(motion.get(opened[j], Quantity::increment), value(opened[j]));
+        }
+    }
+    for (const Slot s : opened) {
+        EXPECT_EQ(motion.get(s, Quantity::increment), value(s));
+    }
+}
+
+TEST(Motion, ClearsForcesAndNothingElse) {
+    test::SerialBlock block;
+    const Network network = block.network();
+    const UnionTable unions{network};
+    Motion motion{unions.lattice(), false};
+    const VertexSite v = vertex_of(unions.advanced().front());
+    for (const Slot s : {slot_of(v, base_plane), slot_of(v, 1)}) {
+        motion.open(s);
+        motion.set(s, Quantity::increment, {1, 2, 3});
+        motion.set(s, Quantity::force, {4, 5, 6});
+        motion.mobility(s) = 7;
+    }
+    motion.clear_forces();
+    for (const Slot s : {slot_of(v, base_plane), slot_of(v, 1)}) {
+        EXPECT_EQ(motion.get(s, Quantity::increment), (Vec3{1, 2, 3}));
+        EXPECT_EQ(motion.get(s, Quantity::force), (Vec3{0, 0, 0}));
+        EXPECT_EQ(motion.mobility(s), 7);
+    }
+}
+
+TEST(Motion, LiesOnWholeCacheLines) {
+    test::SerialBlock block;
+    const Network network = block.network();
+    const UnionTable unions{network};
+    Motion motion{unions.lattice(), true};
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(motion.base()) % 64, 0U);
+    EXPECT_EQ(motion.base_stride() % 8, 0U);
+    const VertexSite v = vertex_of(unions.advanced().front());
+    motion.open(slot_of(v, 3));
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(motion.block(v.index() / Lattice::lanes, 3)) % 64, 0U);
+}
+
+}  // namespace
+}  // namespace cracksim::physics
