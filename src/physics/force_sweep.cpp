@@ -17,7 +17,7 @@ namespace cracksim::physics::HWY_NAMESPACE {
 HWY_INLINE bool AllWhole(const SweepView& v, std::size_t b) {
     std::uint64_t in_use;
     std::memcpy(&in_use, v.planes + b * Hexahedron::corners, sizeof(in_use));
-    constexpr std::uint64_t all_base = 0x0101010101010101U * base_plane;
+    constexpr std::uint64_t all_base = 0x0101010101010101U << base_plane;
     return in_use == all_base;
 }
 

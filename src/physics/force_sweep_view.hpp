@@ -64,7 +64,7 @@ struct SweepView {
     std::size_t block_size;
     const std::int32_t* block_of;  ///< [group of vertices][plane]
     std::size_t velocity_quantity;
-    const std::uint8_t* planes;       ///< [batch][corner]
+    const std::uint8_t* planes;       ///< [batch][corner], a bit each
     const std::uint8_t* lane_planes;  ///< [batch][corner][lane]
     const std::uint8_t* weights;      ///< [batch][row][lane]
     const std::uint32_t* carried;     ///< [batch]

@@ -189,6 +189,12 @@ struct Corners {
     const double* w[Hexahedron::corners];
     std::size_t stride[Hexahedron::corners];
 
+    HWY_INLINE void Skip(std::size_t lanes) {
+        for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
+            u[c] += lanes;
+            w[c] += lanes;
+        }
+    }
     template <std::size_t C>
     HWY_INLINE V3 Displacement() const {
         return Load3(u[C], stride[C]);
@@ -232,7 +238,8 @@ HWY_INLINE void AddCarried(const SweepView& v, unsigned carried, const From& fro
     V factor[HexahedronPairs::count];
     ForEachCarried(carried, [&](auto i) { stretched[i] = StretchOf<i>(v, from); });
     ForEachCarried(carried, [&](auto i) {
-        factor[i] = Factor<i, false, kFar, kMeasure>(v.interaction[i], stretched[i], Weight(weights, i), limits, outcome);
+        factor[i] =
+            Factor<i, false, kFar, kMeasure>(v.interaction[i], stretched[i], Weight(weights, i), limits, outcome);
     });
     ForEachCarried(carried, [&](auto i) {
         V3& first = forces.f[HexahedronPairs::corners[i][0]];

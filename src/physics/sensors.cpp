@@ -105,7 +105,8 @@ std::vector<LocalDuplet> sense_exceeded(const Network& network, const State& sta
         }
         for (int edge = 0; edge < HexahedronPairs::edges; ++edge) {
             const auto i = static_cast<std::size_t>(edge);
-            for (unsigned bits = exceeded.lanes(i) & state.sensing.watched[batch].lanes(i); bits != 0; bits &= bits - 1) {
+            for (unsigned bits = exceeded.lanes(i) & state.sensing.watched[batch].lanes(i); bits != 0;
+                 bits &= bits - 1) {
                 const std::size_t site = batch * Lattice::lanes + static_cast<std::size_t>(std::countr_zero(bits));
                 const LocalEntity e = state.lattice().entity(Site{static_cast<std::int32_t>(site)});
                 const double x = extension(network, state, e, edge);

@@ -115,8 +115,11 @@ void UnionTable::update_batch(std::size_t batch, int corner) {
         plane[lane] =
             static_cast<std::uint8_t>(e == LocalEntity{} ? base_plane : plane_of(slot(local_mass(e, corner))));
     }
-    const bool uniform = std::all_of(plane, plane + lanes, [&](std::uint8_t other) { return other == plane[0]; });
-    batch_planes_[place] = uniform ? plane[0] : mixed;
+    unsigned in_use = 0;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        in_use |= 1U << plane[lane];
+    }
+    batch_planes_[place] = static_cast<std::uint8_t>(in_use);
 }
 
 std::size_t UnionTable::memory_bytes() const {

@@ -20,8 +20,6 @@ public:
     static constexpr int lanes = Lattice::lanes;
     /// The corners that meet at a vertex, in ascending order of their entities.
     static constexpr std::array<int, Hexahedron::corners> ascending{6, 7, 5, 4, 2, 3, 1, 0};
-    /// In place of a plane: lanes differ.
-    static constexpr std::uint8_t mixed = 0xff;
 
     explicit UnionTable(const Network& network);
 
@@ -48,7 +46,8 @@ public:
     /// Slots of all unions that this rank advances, by vertex.
     [[nodiscard]] std::vector<Slot> advanced() const;
 
-    /// [batch][corner]: the plane of that corner's motion in all entities of a batch, or mixed.
+    /// [batch][corner]: bit p is set where plane p holds the motion of that corner of some entity of the batch, or the lane is void and
+    /// p the base plane.
     [[nodiscard]] const std::uint8_t* batch_planes() const { return batch_planes_.data(); }
     /// [batch][corner][lane]: the planes of the corners' motions one by one; the base plane for void lanes.
     [[nodiscard]] const std::uint8_t* lane_planes() const { return lane_planes_.data(); }

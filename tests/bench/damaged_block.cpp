@@ -1,0 +1,97 @@
+#include "tests/bench/damaged_block.hpp"
+
+#include <random>
+
+#include "core/block.hpp"
+#include "physics/advance.hpp"
+#include "physics/force_sweep.hpp"
+#include "physics/split.hpp"
+#include "physics/stability.hpp"
+#include "tests/support/random_state.hpp"
+#include "tests/support/serial_network.hpp"
+
+namespace cracksim::test {
+
+namespace {
+
+using physics::HexahedronPairs;
+using physics::LocalDuplet;
+
+// By interaction, of interaction-inl.hpp and AddPlain: differences of u and w 6, extension 8 (diagonal 12), NearRatio 23, dw.d 5,
+// drag 3, weight (k g + drag) 3, dissipation 3, range 1, and the two sums of forces 12.
+constexpr double flops_of_edge = 64;
+constexpr double flops_of_diagonal = 68;
+// The first contribution to each of 8 corners needs no sum (-24), the corners' forces go to the unions (24), dissipation (2).
+constexpr double flops_of_entity = 2;
+// w + F dt^2/M and u + w; with ab2 also 1.5 w - 0.5 w.
+constexpr double flops_of_union = 9;
+constexpr double flops_of_extrapolation = 9;
+
+physics::Network network_of(std::array<std::int64_t, 3> cells) {
+    SerialBlock block;
+    block.cells = cells;
+    return block.network();
+}
+
+double step_of(const physics::Network& network, physics::Scheme scheme) {
+    return physics::automatic_step(network.model(), physics::step_bound(network.model(), scheme));
+}
+
+}  // namespace
+
+DamagedBlock::DamagedBlock(std::array<std::int64_t, 3> cells, physics::Scheme scheme, double share)
+    : network{network_of(cells)}, state{network, scheme, step_of(network, scheme)} {
+    constexpr double slow = 1e-6;
+    shake(state, slow, 1);
+    physics::SplitStream splits;
+    physics::split(network, parting_duplets(network, state.lattice(), share, 2), state, splits);
+    physics::accumulate_forces(network, state, physics::Measure::nothing);
+}
+
+std::vector<LocalDuplet> parting_duplets(const physics::Network& network, const physics::Lattice& lattice, double share,
+                                         std::uint64_t seed) {
+    std::mt19937_64 random{seed};
+    std::bernoulli_distribution parts{share};
+    std::vector<int> axis_at(lattice.vertex_sites());
+    for (int& axis : axis_at) {
+        axis = parts(random) ? static_cast<int>(random() % 3) : -1;
+    }
+    std::vector<LocalDuplet> found;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interfaces().size()); ++i) {
+        const physics::Interface& shared = network.interfaces()[static_cast<std::size_t>(i)];
+        for (int k = 0; k < physics::Network::duplets_per_interface; ++k) {
+            const auto v = lattice.vertex(local_mass(shared.a, shared.corner_a(k)));
+            if (share == 1 || axis_at[v.index()] == shared.face_a / 2) {
+                found.emplace_back(i * physics::Network::duplets_per_interface + k);
+            }
+        }
+    }
+    return found;
+}
+
+double flops_of_step(const DamagedBlock& block) {
+    const physics::State& state = block.state;
+    double flops = flops_of_entity * block.network.entity_count();
+    for (LocalEntity e{0}; e.value() < block.network.entity_count(); ++e) {
+        for (int i = 0; i < HexahedronPairs::count; ++i) {
+            if (state.merging.weight(state.unions, e, i) > 0) {
+                flops += i < HexahedronPairs::edges ? flops_of_edge : flops_of_diagonal;
+            }
+        }
+    }
+    const bool extrapolates = state.scheme == physics::Scheme::ab2;
+    return flops + (flops_of_union + (extrapolates ? flops_of_extrapolation : 0)) *
+                       static_cast<double>(state.unions.advanced().size());
+}
+
+double bytes_of_step(const DamagedBlock& block) {
+    const physics::State& state = block.state;
+    // Of the 10 components (13 with ab2) all are read and all but the mobility are written.
+    const double components = state.scheme == physics::Scheme::ab2 ? 13 : 10;
+    const double motion = static_cast<double>(state.motion.memory_bytes()) * (2 * components - 1) / components;
+    const std::size_t read =
+        state.merging.memory_bytes() + state.sensing.limit.size() * sizeof(float) + state.sensing.exceeded.size();
+    return motion + static_cast<double>(read);
+}
+
+}  // namespace cracksim::test
