@@ -14,9 +14,9 @@ namespace cracksim::physics {
 using Site = Id<struct SiteTag, std::int32_t>;
 using VertexSite = Id<struct VertexSiteTag, std::int32_t>;
 
-/// The local entities and their vertices in rows along x, for sweeps over `lanes` neighbours at once. A row has a place for each
-/// cell from its first local entity to its last, and void ones up to a multiple of the lanes, one at least: so the vertices of its
-/// entities fit in as many places. Entities that consecutive places hold have consecutive vertices.
+/// The local entities and their vertices in rows along x, for sweeps over `lanes` neighbours at once. A row begins at a multiple of the
+/// lanes in the block, at or before its first local entity, and goes on to a multiple of the lanes beyond its last one: so the vertices of
+/// its entities fit in as many places. Places without a local entity are void. Entities that consecutive places hold have consecutive vertices.
 class Lattice {
 public:
     static constexpr int lanes = 8;

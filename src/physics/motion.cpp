@@ -25,7 +25,7 @@ Motion::Motion(const Lattice& lattice, bool extrapolates)
     : components_{Quantity::mobility + 1 + (extrapolates ? 3U : 0U)},
       base_stride_{stride_for(lattice.vertex_sites())},
       base_(components_ * base_stride_, 0.0),
-      blocks_(2 * guard, 0.0),
+      blocks_(guard, 0.0),
       block_of_(lattice.vertex_sites() / lanes * planes, -1),
       planes_in_use_(lattice.vertex_sites() / lanes, 0) {}
 
@@ -35,7 +35,7 @@ void Motion::open(Slot s) {
     if (plane_of(s) == base_plane || (planes_in_use_[group] & bit) != 0) {
         return;
     }
-    if (2 * guard + (block_count_ + 1) * block_size() > blocks_.size()) {
+    if (guard + (block_count_ + 1) * block_size() > blocks_.size()) {
         make_room();
     }
     block_of_[entry(group, plane_of(s))] = static_cast<std::int32_t>(block_count_++);
@@ -44,8 +44,8 @@ void Motion::open(Slot s) {
 
 /// Half as many blocks again, and all of them in the order in which the sweep meets them.
 void Motion::make_room() {
-    LineVector wider(2 * guard + (block_count_ + block_count_ / 2 + lanes) * block_size(), 0.0);
-    double* to = wider.data() + guard;
+    LineVector wider(guard + (block_count_ + block_count_ / 2 + lanes) * block_size(), 0.0);
+    double* to = wider.data();
     std::int32_t next = 0;
     for (std::size_t group = 0; group < planes_in_use_.size(); ++group) {
         for (unsigned bits = planes_in_use_[group]; bits != 0; bits &= bits - 1) {

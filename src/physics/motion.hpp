@@ -77,8 +77,8 @@ public:
     /// The first component at the first vertex.
     [[nodiscard]] double* base() { return base_.data(); }
     [[nodiscard]] std::size_t base_stride() const { return base_stride_; }
-    /// A vector that has one of its lanes in a block may be read and written whole: what is before and after is memory, too.
-    [[nodiscard]] double* blocks() { return blocks_.data() + guard; }
+    /// A vector that begins in a block may be read and written whole: what it reaches into is memory, too.
+    [[nodiscard]] double* blocks() { return blocks_.data(); }
     [[nodiscard]] std::size_t block_size() const { return components_ * block_stride; }
     /// [group of vertices][plane]: which block that is, -1 if there is none.
     [[nodiscard]] const std::int32_t* block_of() const { return block_of_.data(); }
@@ -111,7 +111,7 @@ private:
         }
         const std::int32_t index = block_of_[entry(v / Lattice::lanes, plane_of(s))];
         CRACKSIM_EXPECT(index >= 0);
-        return {blocks_.data() + guard + static_cast<std::size_t>(index) * block_size() + v % Lattice::lanes,
+        return {blocks_.data() + static_cast<std::size_t>(index) * block_size() + v % Lattice::lanes,
                 block_stride};
     }
     [[nodiscard]] Place<double> place(Slot s) {
