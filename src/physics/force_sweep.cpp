@@ -112,9 +112,8 @@ RowView view_of(const Lattice::CellRow& row) {
     RowView v{};
     v.first_batch = static_cast<std::size_t>(row.first_batch);
     v.batches = static_cast<std::size_t>(row.batches);
-    const std::int32_t first_site = row.first_batch * Lattice::lanes;
     for (std::size_t side = 0; side < Lattice::sides; ++side) {
-        v.vertex[side] = static_cast<std::size_t>(first_site + row.to_vertex[side]);
+        v.vertex[side] = static_cast<std::size_t>(std::int64_t{row.first_batch} * Lattice::lanes + row.to_vertex[side]);
     }
     return v;
 }

@@ -111,8 +111,7 @@ private:
         }
         const std::int32_t index = block_of_[entry(v / Lattice::lanes, plane_of(s))];
         CRACKSIM_EXPECT(index >= 0);
-        return {blocks_.data() + static_cast<std::size_t>(index) * block_size() + v % Lattice::lanes,
-                block_stride};
+        return {blocks_.data() + static_cast<std::size_t>(index) * block_size() + v % Lattice::lanes, block_stride};
     }
     [[nodiscard]] Place<double> place(Slot s) {
         const Place<const double> found = std::as_const(*this).place(s);
