@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "core/contracts.hpp"
 #include "physics/advance.hpp"
@@ -290,11 +291,7 @@ void set_received_labels(const Network& network, State& state, std::span<const s
             state.motion.clear(s);
         }
     }
-    std::ranges::sort(changed);
-    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-    for (const VertexSite v : changed) {
-        update_edges(network, v, state);
-    }
+    update_edges(network, std::move(changed), state);
 }
 
 }  // namespace cracksim::physics

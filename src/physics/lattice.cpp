@@ -60,13 +60,13 @@ Lattice::Lattice(const Block& block, const IdArray<LocalEntity, EntityId>& entit
     for (const auto& [key, extent] : cells) {
         const auto row = static_cast<std::int32_t>(cell_rows_.size());
         const auto batch_count = static_cast<std::int32_t>((extent.end - extent.begin) / lanes);
-        CellRow added{static_cast<std::int32_t>(batches()), batch_count, {}, {}, {}};
+        CellRow added{static_cast<std::int32_t>(batches()), batch_count, {}, {}};
         for (std::size_t side = 0; side < sides; ++side) {
             added.vertex_row[side] = index.at(vertex_key(key, side));
-            added.offset[side] = static_cast<std::int32_t>(extent.begin - vertices.at(vertex_key(key, side)).begin);
+            const auto offset = static_cast<std::int32_t>(extent.begin - vertices.at(vertex_key(key, side)).begin);
             VertexRow& met = vertex_rows_[static_cast<std::size_t>(added.vertex_row[side])];
             met.cell_row[side] = row;
-            added.to_vertex[side] = met.first + added.offset[side] - added.first_batch * lanes;
+            added.to_vertex[side] = met.first + offset - added.first_batch * lanes;
         }
         const std::size_t first_site = entity_.size();
         entity_.resize(first_site + static_cast<std::size_t>(extent.end - extent.begin));

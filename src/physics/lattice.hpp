@@ -27,7 +27,6 @@ public:
         std::int32_t first_batch;
         std::int32_t batches;
         std::array<std::int32_t, sides> vertex_row;
-        std::array<std::int32_t, sides> offset;     ///< of the first cell's lower vertex in each of them
         std::array<std::int32_t, sides> to_vertex;  ///< from a cell's site to its lower vertex there
     };
     struct VertexRow {
@@ -62,11 +61,12 @@ public:
             return LocalMass{};
         }
         const CellRow& row = cell_rows_[static_cast<std::size_t>(index)];
-        const std::int32_t from_first = v.value() - vertices.first - row.offset[side(corner)] - along(corner);
-        if (from_first < 0 || from_first >= row.batches * lanes) {
+        const Site s{v.value() - row.to_vertex[side(corner)] - along(corner)};
+        const std::int32_t first = row.first_batch * lanes;
+        if (s.value() < first || s.value() >= first + row.batches * lanes) {
             return LocalMass{};
         }
-        const LocalEntity e = entity(Site{row.first_batch * lanes + from_first});
+        const LocalEntity e = entity(s);
         return e == LocalEntity{} ? LocalMass{} : local_mass(e, corner);
     }
 

@@ -19,6 +19,11 @@ struct Reach {
     Vec3 rest;
 };
 
+void sort_and_make_unique(auto& list) {
+    std::ranges::sort(list);
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
 double threshold(const Network& network, LocalDuplet d) {
     return network.threshold(d.value() / Network::duplets_per_interface, d.value() % Network::duplets_per_interface);
 }
@@ -118,8 +123,7 @@ std::vector<LocalDuplet> sense_exceeded(const Network& network, const State& sta
             }
         }
     }
-    std::ranges::sort(found);
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    sort_and_make_unique(found);
     return found;
 }
 
@@ -153,12 +157,20 @@ void set_sensing_limits(const Network& network, LocalEntity e, State& state) {
     }
 }
 
-void update_edges(const Network& network, VertexSite v, State& state) {
-    state.merging.update(state.unions, v);
-    for (int corner = 0; corner < Hexahedron::corners; ++corner) {
-        if (const LocalMass m = state.lattice().mass_at(v, corner); m != LocalMass{}) {
-            set_sensing_limits(network, entity_of(m), state);
+void update_edges(const Network& network, std::vector<VertexSite> vertices, State& state) {
+    sort_and_make_unique(vertices);
+    std::vector<LocalEntity> entities;
+    for (const VertexSite v : vertices) {
+        state.merging.update(state.unions, v);
+        for (int corner = 0; corner < Hexahedron::corners; ++corner) {
+            if (const LocalMass m = state.lattice().mass_at(v, corner); m != LocalMass{}) {
+                entities.push_back(entity_of(m));
+            }
         }
+    }
+    sort_and_make_unique(entities);
+    for (const LocalEntity e : entities) {
+        set_sensing_limits(network, e, state);
     }
 }
 

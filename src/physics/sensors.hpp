@@ -20,7 +20,8 @@ enum class Prefilter { on, off };
 /// Recomputes the prefilter's limits of an entity from the active duplets at the edges that it carries.
 void set_sensing_limits(const Network& network, LocalEntity e, State& state);
 
-/// Brings the edges at a vertex, who carries them and the prefilter's limits, up to date with its unions and its active duplets.
-void update_edges(const Network& network, VertexSite v, State& state);
+/// Brings the edges at some vertices, who carries them and the prefilter's limits, up to date with their unions and active duplets.
+/// A vertex may be named more than once.
+void update_edges(const Network& network, std::vector<VertexSite> vertices, State& state);
 
 }  // namespace cracksim::physics

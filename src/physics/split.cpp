@@ -163,9 +163,7 @@ std::size_t split(const Network& network, std::span<const LocalDuplet> triggered
             count += split_union(network, s, state, splits) ? 1U : 0U;
         }
     }
-    for (const VertexSite v : vertices) {
-        update_edges(network, v, state);
-    }
+    update_edges(network, vertices, state);
     return count;
 }
 
