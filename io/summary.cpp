@@ -108,7 +108,8 @@ Json json_by_name(const std::vector<FrameSeries>& all) {
 void add_results(Json& out, const Summary& s) {
     out["events"] = json(s.events);
     out["event_hash"] = hex(s.event_hash);
-    out["state_hash"] = hex(s.state_hash);
+    // The state of an invalid run depends on the ranks and on when it was found out.
+    out["state_hash"] = s.status == Status::invalid ? Json{} : Json(hex(s.state_hash));
     out["fragments"] = s.fragments;
     out["components"] = s.components;
     out["largest_fragments"] = json(s.largest_fragments);

@@ -24,6 +24,8 @@ Session::Session(int argc, char** argv) {
         throw std::runtime_error{"PETSc could not be started"};
     }
     PetscPopSignalHandler();
+    // Nor is a reader that is gone the end of the process: what cannot be told is an error of its own.
+    std::signal(SIGPIPE, SIG_IGN);
 }
 
 Session::~Session() {

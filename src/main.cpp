@@ -4,6 +4,7 @@
 
 #include "core/errors.hpp"
 #include "core/float_environment.hpp"
+#include "core/standard_streams.hpp"
 #include "partition/session.hpp"
 #include "simulation/command_line.hpp"
 #include "simulation/execute.hpp"
@@ -11,6 +12,7 @@
 int main(int argc, char** argv) {
     using namespace cracksim;
     flush_subnormals_to_zero();
+    guard_standard_streams();
     const partition::Session session{argc, argv};
     const partition::Communicator comm = session.world();
     const auto say = [&](const char* text) {

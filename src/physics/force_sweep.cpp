@@ -4,50 +4,46 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <cstring>
 
 #include "core/contracts.hpp"
-#include "physics/any_batches-inl.hpp"
+#include "physics/any_vectors-inl.hpp"
 #include "physics/force_sweep.hpp"
-#include "physics/plain_batches-inl.hpp"
+#include "physics/plain_vectors-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-HWY_INLINE bool AllWhole(const SweepView& v, std::size_t b) {
-    std::uint64_t in_use;
-    std::memcpy(&in_use, v.planes + b * Hexahedron::corners, sizeof(in_use));
-    constexpr std::uint64_t all_base = 0x0101010101010101U << base_plane;
-    return in_use == all_base;
-}
-
 template <bool kMeasure>
-void SweepBatches(SweepView& v, const RowView& row) {
+void SweepVectors(SweepView& v, const RowView& row) {
     const D d;
+    std::fill_n(v.exceeded + row.first_site / Lattice::lanes, row.sites / Lattice::lanes, EdgeBits{});
     RowSums sums{hn::Zero(d), hn::Zero(d)};
-    for (std::size_t batch = 0; batch < row.batches;) {
-        PlainRun run = BeginRun(v, row);
-        std::size_t end = batch;
-        while (end < row.batches && AllWhole(v, row.first_batch + end) &&
-               ContinueRun<kMeasure>(v, run, end, row.first_batch + end, sums)) {
-            ++end;
+    RowRun run = BeginRun(v, row);
+    for (std::size_t at = 0; at < row.sites;) {
+        const std::size_t site = row.first_site + at;
+        std::size_t end = at + vector_lanes;
+        bool done = false;
+        if (IsBase(v, site)) {
+            const unsigned list = CarriedBy(v, site);
+            while (end < row.sites && IsBase(v, row.first_site + end) && CarriedBy(v, row.first_site + end) == list) {
+                end += vector_lanes;
+            }
+            done = SweepPlain<kMeasure>(list, v, row, run, at, end, sums);
         }
-        if (end > batch) {
-            EndRun(run, end);
-            batch = end;
-        } else {
-            SweepAny<kMeasure>(v, row, batch, sums);
-            ++batch;
+        for (; !done && at < end; at += vector_lanes) {
+            SweepAny<kMeasure>(v, row, run, at, sums);
         }
+        at = end;
     }
+    Deliver(v, run, row.sites);
     v.dissipated += hn::GetLane(hn::SumOfLanes(d, sums.dissipated));
     if constexpr (kMeasure) {
         v.elastic += hn::GetLane(hn::SumOfLanes(d, sums.elastic));
     }
 }
 
-void Sweep(SweepView& v, const RowView& row) { SweepBatches<false>(v, row); }
-void SweepMeasured(SweepView& v, const RowView& row) { SweepBatches<true>(v, row); }
+void Sweep(SweepView& v, const RowView& row) { SweepVectors<false>(v, row); }
+void SweepMeasured(SweepView& v, const RowView& row) { SweepVectors<true>(v, row); }
 
 void SweepGathered(const SweepView& v, GatheredEntities& entities) {
     const D d;
@@ -56,15 +52,14 @@ void SweepGathered(const SweepView& v, GatheredEntities& entities) {
     constexpr float limits[3 * Lattice::lanes] = {};
     constexpr std::size_t stride = Hexahedron::corners * Lattice::lanes;
     for (std::size_t lane = 0; lane < Lattice::lanes; lane += hn::Lanes(d)) {
-        Corners corners;
+        Assembled assembled;
         for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
-            corners.u[c] = entities.displacement[0][c] + lane;
-            corners.w[c] = entities.velocity_increment[0][c] + lane;
-            corners.stride[c] = stride;
+            Store3(Load3(entities.displacement[0][c] + lane, stride), assembled.motion[c][0], vector_lanes);
+            Store3(Load3(entities.velocity_increment[0][c] + lane, stride), assembled.motion[c][3], vector_lanes);
         }
         Forces forces;
         Outcome outcome;
-        AddFar<false>(v, 0xffffU, corners, ones, limits, forces, outcome);
+        AddFar<false>(v, 0xffffU, assembled, ones, limits, forces, outcome);
         for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
             Store3(forces.f[c], entities.force[0][c] + lane, stride);
         }
@@ -100,7 +95,7 @@ SweepView inputs_of(const Network& network, const State& state) {
         v.interaction[i] = constants(network.model(), i, state.step_size);
     }
     v.velocity_quantity = state.velocity_quantity();
-    v.planes = state.unions.batch_planes();
+    v.planes = state.unions.half_planes();
     v.lane_planes = state.unions.lane_planes();
     v.weights = state.merging.weights();
     v.carried = state.merging.carried();
@@ -110,8 +105,8 @@ SweepView inputs_of(const Network& network, const State& state) {
 
 RowView view_of(const Lattice::CellRow& row) {
     RowView v{};
-    v.first_batch = static_cast<std::size_t>(row.first_batch);
-    v.batches = static_cast<std::size_t>(row.batches);
+    v.first_site = static_cast<std::size_t>(row.first_batch) * Lattice::lanes;
+    v.sites = static_cast<std::size_t>(row.batches) * Lattice::lanes;
     for (std::size_t side = 0; side < Lattice::sides; ++side) {
         v.vertex[side] = static_cast<std::size_t>(std::int64_t{row.first_batch} * Lattice::lanes + row.to_vertex[side]);
     }

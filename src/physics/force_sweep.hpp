@@ -15,8 +15,8 @@ enum class Measure { nothing, elastic_energy };
 /// ascending order. A union's force is the sum over its masses in ascending order of their ids, of what their entities carry
 /// (merging.hpp); it is whole after the last row that meets its vertex.
 ///
-/// F_i = [ k e + z (v_j - v_i).n ] n  with  d = d0 + u_j - u_i,  n = d/|d|  and the elongation in its stable form
-/// e = ((2 d0 + du).du) / (|d| + L0).
+/// F_i = [ k e + z (v_j - v_i).n ] n  with  d = d0 + u_j - u_i,  n = d/|d|,  e = |d| - L0, from the extension
+/// x = |d|^2/L0^2 - 1 = ((2 d0 + du).du) / L0^2, which is right however small: k e n = k g d with g = 1 - (1 + x)^(-1/2).
 class ForceSweep {
 public:
     /// Keeps references; for one sweep.
@@ -32,9 +32,9 @@ private:
     SweepView view_;
 };
 
-/// Forces of all local entities, owned and halo alike, at the current state: state.force. On the way it marks the entities
-/// whose edges are stretched enough for a sensor to trigger (state.sensing.exceeded), keeps state.dissipated
-/// up to date for the owned entities and, if asked, sets state.elastic.
+/// Forces of all local entities, owned and halo alike, at the current state: state.force. On the way it marks the edges
+/// that are stretched enough for a sensor to trigger (state.sensing.exceeded), keeps state.dissipated up to date for the
+/// owned entities and, if asked, sets state.elastic.
 void accumulate_forces(const Network& network, State& state, Measure measure);
 
 /// The forces on the masses of some entities (up to Lattice::lanes), N, each from all 16 interactions of its entity.

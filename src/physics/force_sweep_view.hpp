@@ -33,6 +33,11 @@ struct EdgeBits {
         return static_cast<unsigned>((edge < 8 ? first : second) >> shift(edge)) & 0xffU;
     }
     void add(std::size_t edge, std::uint64_t lanes) { (edge < 8 ? first : second) |= lanes << shift(edge); }
+    EdgeBits& operator|=(const EdgeBits& other) {
+        first |= other.first;
+        second |= other.second;
+        return *this;
+    }
     void remove(std::size_t edge, std::uint64_t lanes) { (edge < 8 ? first : second) &= ~(lanes << shift(edge)); }
 
 private:
@@ -48,11 +53,11 @@ struct InteractionConstants {
     double half_energy;             ///< k L0^2/2, J
 };
 
-/// A row of cells: its batches, and the vertices of its first cell's lower corners.
+/// A row of cells: its places, and the vertices of its first cell's lower corners.
 struct RowView {
     std::size_t vertex[Lattice::sides];
-    std::size_t first_batch;
-    std::size_t batches;
+    std::size_t first_site;
+    std::size_t sites;
 };
 
 /// Plain pointers into network and state, the same for all rows.
@@ -64,10 +69,10 @@ struct SweepView {
     std::size_t block_size;
     const std::int32_t* block_of;  ///< [group of vertices][plane]
     std::size_t velocity_quantity;
-    const std::uint8_t* planes;       ///< [batch][corner], a bit each
+    const std::uint8_t* planes;       ///< [half of a batch][corner], a bit each
     const std::uint8_t* lane_planes;  ///< [batch][corner][lane]
     const std::uint8_t* weights;      ///< [batch][row][lane]
-    const std::uint32_t* carried;     ///< [batch]
+    const std::uint32_t* carried;     ///< [half of a batch]
     const float* limits;              ///< [batch][axis][lane]
     EdgeBits* exceeded;               ///< [batch]: edges stretched beyond their limit
     double dissipated;                ///< out: sum of (z/dt) (dw.n)^2, J

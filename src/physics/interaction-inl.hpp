@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "physics/force_sweep_view.hpp"
+#include "physics/merging.hpp"
 #include "physics/vectors-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -106,27 +107,33 @@ HWY_INLINE V SquaredStretch(V x, const Ratio& ratio) {
 }
 
 /// The force of interaction I on its first corner over d, `weight` times: weight (k g + z' q r^2) with q = dw.d, z' = z/(dt L0^2).
-/// kPlain: all weights are above zero.
+/// kPlain: no entity is void.
 template <std::size_t I, bool kPlain, bool kFar, bool kMeasure>
 HWY_INLINE V Factor(const InteractionConstants& c, const Stretched& s, V weight, const float* limit, Outcome& sums) {
     const D d;
-    const Ratio ratio = kFar ? AnyRatio(s.extension) : NearRatio(s.extension);
-    const V drag = hn::Mul(hn::Mul(hn::Set(d, c.viscosity_rate), s.rate), hn::Mul(ratio.inverse, ratio.inverse));
-    sums.dissipated = hn::MulAdd(hn::Mul(weight, s.rate), drag, sums.dissipated);
+    V extension = s.extension;
+    V rate = s.rate;
+    if constexpr (!kPlain) {
+        // The ends of what is void or carried by another entity may be anywhere, so far apart that 0 times their force is no zero.
+        const auto carried = hn::Ne(weight, hn::Zero(d));
+        extension = hn::IfThenElseZero(carried, extension);
+        rate = hn::IfThenElseZero(carried, rate);
+    }
+    const Ratio ratio = kFar ? AnyRatio(extension) : NearRatio(extension);
+    const V drag = hn::Mul(hn::Mul(hn::Set(d, c.viscosity_rate), rate), hn::Mul(ratio.inverse, ratio.inverse));
+    sums.dissipated = hn::MulAdd(hn::Mul(weight, rate), drag, sums.dissipated);
     if constexpr (kMeasure) {
-        const V energy = hn::Mul(hn::Mul(weight, hn::Set(d, c.half_energy)), SquaredStretch(s.extension, ratio));
+        const V energy = hn::Mul(hn::Mul(weight, hn::Set(d, c.half_energy)), SquaredStretch(extension, ratio));
         sums.elastic = hn::Add(sums.elastic, energy);
     }
     if constexpr (!kFar) {
-        const V off = hn::Abs(hn::Sub(s.extension, hn::Set(d, Series::centre)));
-        // The ends of what is void or carried by another entity may be anywhere.
-        sums.farthest = hn::Max(sums.farthest, kPlain ? off : hn::IfThenZeroElse(hn::Eq(weight, hn::Zero(d)), off));
+        sums.farthest = hn::Max(sums.farthest, hn::Abs(hn::Sub(extension, hn::Set(d, Series::centre))));
     }
     if constexpr (I < HexahedronPairs::edges) {
         constexpr std::size_t axis = I / HexahedronPairs::edges_per_axis;
         const hn::Rebind<float, D> df;
         const V bound = hn::PromoteTo(d, hn::LoadU(df, limit + axis * Lattice::lanes));
-        sums.exceeded[I] = Bits(hn::Gt(s.extension, bound));
+        sums.exceeded[I] = Bits(hn::Gt(extension, bound));
     }
     return hn::Mul(weight, hn::MulAdd(hn::Set(d, c.stiffness), ratio.shortfall, drag));
 }
@@ -154,6 +161,14 @@ HWY_INLINE V Weight(const std::uint8_t* weights, std::size_t interaction) {
     return hn::PromoteTo(d, hn::PromoteTo(d32, hn::LoadU(d8, weights + interaction * Lattice::lanes)));
 }
 
+/// [row][lane] and [axis][lane] from the lane of a site on.
+HWY_INLINE const std::uint8_t* WeightsOf(const SweepView& v, std::size_t site) {
+    return v.weights + site / Lattice::lanes * Merging::bytes_per_batch + site % Lattice::lanes;
+}
+HWY_INLINE const float* LimitsOf(const SweepView& v, std::size_t site) {
+    return v.limits + site / Lattice::lanes * (3 * Lattice::lanes) + site % Lattice::lanes;
+}
+
 HWY_INLINE bool IsFar(const Outcome& outcome) {
     const D d;
     return HWY_UNLIKELY(!hn::AllTrue(d, hn::Le(outcome.farthest, hn::Set(d, Series::reach))));
@@ -165,17 +180,19 @@ struct RowSums {
     V elastic;
 };
 
+/// What a vector of entities found, the first of them at a site.
 template <bool kMeasure>
-HWY_INLINE void Collect(const Outcome& outcome, const std::uint8_t* weights, std::size_t lane, EdgeBits& exceeded,
-                        RowSums& sums) {
-    const V owned = Weight(weights, HexahedronPairs::count);
+HWY_INLINE void Collect(SweepView& v, const Outcome& outcome, std::size_t site, RowSums& sums) {
+    const V owned = Weight(WeightsOf(v, site), HexahedronPairs::count);
     sums.dissipated = hn::MulAdd(owned, outcome.dissipated, sums.dissipated);
     if constexpr (kMeasure) {
         sums.elastic = hn::MulAdd(owned, outcome.elastic, sums.elastic);
     }
+    EdgeBits found{};
     for (std::size_t edge = 0; edge < HexahedronPairs::edges; ++edge) {
-        exceeded.add(edge, std::uint64_t{outcome.exceeded[edge]} << lane);
+        found.add(edge, std::uint64_t{outcome.exceeded[edge]} << site % Lattice::lanes);
     }
+    v.exceeded[site / Lattice::lanes] |= found;
 }
 
 /// Forces summed so far, by corner.
@@ -183,25 +200,19 @@ struct Forces {
     V3 f[Hexahedron::corners];
 };
 
-/// Where the motions of some entities' corners are: displacements and what damping takes for their increments.
-struct Corners {
-    const double* u[Hexahedron::corners];
-    const double* w[Hexahedron::corners];
-    std::size_t stride[Hexahedron::corners];
+constexpr std::size_t vector_lanes = hn::MaxLanes(D{});
 
-    HWY_INLINE void Skip(std::size_t lanes) {
-        for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
-            u[c] += lanes;
-            w[c] += lanes;
-        }
-    }
+/// Displacements of some entities' corners, and what damping takes for their increments, put together.
+struct Assembled {
+    HWY_ALIGN double motion[Hexahedron::corners][6][vector_lanes];
+
     template <std::size_t C>
     HWY_INLINE V3 Displacement() const {
-        return Load3(u[C], stride[C]);
+        return Load3(motion[C][0], vector_lanes);
     }
     template <std::size_t C>
     HWY_INLINE V3 VelocityIncrement() const {
-        return Load3(w[C], stride[C]);
+        return Load3(motion[C][3], vector_lanes);
     }
 };
 

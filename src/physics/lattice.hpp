@@ -14,12 +14,15 @@ namespace cracksim::physics {
 using Site = Id<struct SiteTag, std::int32_t>;
 using VertexSite = Id<struct VertexSiteTag, std::int32_t>;
 
-/// The local entities and their vertices in rows along x, for sweeps over `lanes` neighbours at once. A row begins at a multiple of the
-/// lanes in the block, at or before its first local entity, and goes on to a multiple of the lanes beyond its last one: so the vertices of
-/// its entities fit in as many places. Places without a local entity are void. Entities that consecutive places hold have consecutive vertices.
+/// The local entities and their vertices in rows along x, for sweeps over `lanes` neighbours at once. A row begins at a multiple
+/// of the lanes in the block, at or before its first local entity, and goes on to a multiple of the lanes beyond its last one: so
+/// the vertices of its entities fit in as many places. Places without a local entity are void. Entities that consecutive places
+/// hold have consecutive vertices.
 class Lattice {
 public:
     static constexpr int lanes = 8;
+    /// What vectors need to know of their entities' unions is kept for halves of a batch, the shorter ones of the vectors in use.
+    static constexpr int half = lanes / 2;
     /// Vertex rows that a row of cells meets, by lower/upper y + 2 * lower/upper z.
     static constexpr std::size_t sides = 4;
 

@@ -35,7 +35,7 @@ EdgeCopies edge_copies(const UnionTable& unions, VertexSite lower, int axis) {
 }
 
 Merging::Merging(const Network& network, const UnionTable& unions)
-    : weight_(unions.lattice().batches() * bytes_per_batch, 0), carried_(unions.lattice().batches(), 0) {
+    : weight_(unions.lattice().batches() * bytes_per_batch, 0), carried_(2 * unions.lattice().batches(), 0) {
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
         weight_[place(unions, e, owned_row)] = network.owned(e) ? 1 : 0;
         for (int i = HexahedronPairs::edges; i < HexahedronPairs::count; ++i) {
@@ -46,7 +46,7 @@ Merging::Merging(const Network& network, const UnionTable& unions)
             set_weight(unions, e, i, felt(a) || felt(b) ? 1 : 0);
         }
     }
-    find_full_batches();
+    find_full_halves();
     for (VertexSite v{0}; v.index() < unions.lattice().vertex_sites(); ++v) {
         for (int axis = 0; axis < 3; ++axis) {
             update_edge(unions, v, axis);
@@ -54,24 +54,25 @@ Merging::Merging(const Network& network, const UnionTable& unions)
     }
 }
 
-void Merging::find_full_batches() {
-    for (std::size_t batch = 0; batch < carried_.size(); ++batch) {
-        const auto begin = weight_.begin() + static_cast<std::ptrdiff_t>(batch * bytes_per_batch);
-        const bool all =
-            std::all_of(begin + HexahedronPairs::edges * Lattice::lanes,
-                        begin + HexahedronPairs::count * Lattice::lanes, [](std::uint8_t w) { return w == 1; });
-        carried_[batch] |= all ? 1U << full : 0U;
+void Merging::find_full_halves() {
+    for (std::size_t half = 0; half < carried_.size(); ++half) {
+        bool all = true;
+        for (std::size_t row = HexahedronPairs::edges; row < HexahedronPairs::count; ++row) {
+            const auto lanes = lanes_of(half, row);
+            all = all && std::all_of(lanes, lanes + Lattice::half, [](std::uint8_t w) { return w == 1; });
+        }
+        carried_[half] |= all ? 1U << full : 0U;
     }
 }
 
 void Merging::set_weight(const UnionTable& unions, LocalEntity e, int interaction, int weight) {
     const auto row = static_cast<std::size_t>(interaction);
     weight_[place(unions, e, row)] = static_cast<std::uint8_t>(weight);
-    const std::size_t batch = unions.lattice().site(e).index() / Lattice::lanes;
-    const auto lanes = weight_.begin() + static_cast<std::ptrdiff_t>(batch * bytes_per_batch + row * Lattice::lanes);
-    const bool any = std::any_of(lanes, lanes + Lattice::lanes, [](std::uint8_t w) { return w != 0; });
+    const std::size_t half = unions.lattice().site(e).index() / Lattice::half;
+    const auto lanes = lanes_of(half, row);
+    const bool any = std::any_of(lanes, lanes + Lattice::half, [](std::uint8_t w) { return w != 0; });
     const unsigned bit = 1U << row;
-    carried_[batch] = any ? carried_[batch] | bit : carried_[batch] & ~bit;
+    carried_[half] = any ? carried_[half] | bit : carried_[half] & ~bit;
 }
 
 void Merging::update_edge(const UnionTable& unions, VertexSite lower, int axis) {

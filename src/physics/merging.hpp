@@ -51,7 +51,8 @@ public:
 
     /// [batch][row][lane]
     [[nodiscard]] const std::uint8_t* weights() const { return weight_.data(); }
-    /// [batch]: bit i is set where some entity carries interaction i, bit `full` where no lane is void and all diagonals are carried.
+    /// [half of a batch]: bit i is set where some entity carries interaction i, bit `full` where no lane is void and all diagonals
+    /// are carried.
     [[nodiscard]] const std::uint32_t* carried() const { return carried_.data(); }
     static constexpr unsigned full = HexahedronPairs::count;
 
@@ -64,8 +65,14 @@ private:
         const std::size_t s = unions.lattice().site(e).index();
         return s / Lattice::lanes * bytes_per_batch + row * Lattice::lanes + s % Lattice::lanes;
     }
+    /// The weights of half a batch.
+    [[nodiscard]] std::vector<std::uint8_t>::const_iterator lanes_of(std::size_t half, std::size_t row) const {
+        const std::size_t first = half * Lattice::half;
+        return weight_.begin() + static_cast<std::ptrdiff_t>(first / Lattice::lanes * bytes_per_batch +
+                                                             row * Lattice::lanes + first % Lattice::lanes);
+    }
     void set_weight(const UnionTable& unions, LocalEntity e, int interaction, int weight);
-    void find_full_batches();
+    void find_full_halves();
     void update_edge(const UnionTable& unions, VertexSite lower, int axis);
 
     std::vector<std::uint8_t> weight_;

@@ -13,7 +13,8 @@
 namespace cracksim::physics {
 
 /// Inactivates the triggered duplets for good, all of them first; then each union that lost one splits into the connected
-/// components of its remaining duplets. Each part inherits position and velocity and feels its share of the forces. Returns the number of unions that split; they are appended to `splits`.
+/// components of its remaining duplets. Each part inherits position and velocity and feels its share of the forces. Returns the
+/// number of unions that split; they are appended to `splits`.
 std::size_t split(const Network& network, std::span<const LocalDuplet> triggered, State& state, SplitStream& splits);
 
 /// The event of a duplet that triggers at the current step.

@@ -12,12 +12,12 @@ UnionTable::UnionTable(const Network& network)
       label_(static_cast<std::size_t>(network.mass_count())),
       touched_(lattice_.vertex_sites(), 0),
       in_use_(lattice_.vertex_sites(), 0),
-      batch_planes_(lattice_.batches() * Hexahedron::corners),
+      half_planes_(2 * lattice_.batches() * Hexahedron::corners),
       lane_planes_(lattice_.batches() * Hexahedron::corners * lanes) {
     find_labels(network);
-    for (std::size_t batch = 0; batch < lattice_.batches(); ++batch) {
+    for (std::size_t half = 0; half < 2 * lattice_.batches(); ++half) {
         for (int corner = 0; corner < Hexahedron::corners; ++corner) {
-            update_batch(batch, corner);
+            update_half(half, corner);
         }
     }
 }
@@ -91,7 +91,7 @@ Slot UnionTable::assign(std::span<const LocalMass> part) {
     const int plane = !alone && part.front() == smallest_at(v) ? base_plane : corner_of(part.front());
     for (const LocalMass m : part) {
         label_[m.index()] = static_cast<std::uint8_t>(plane);
-        update_batch(lattice_.site(entity_of(m)).index() / lanes, corner_of(m));
+        update_half(lattice_.site(entity_of(m)).index() / Lattice::half, corner_of(m));
     }
     find_planes(v);
     return slot_of(v, plane);
@@ -103,28 +103,26 @@ bool UnionTable::set_received_label(LocalMass m, std::uint8_t label) {
         return false;
     }
     label_[m.index()] = label;
-    update_batch(lattice_.site(entity_of(m)).index() / lanes, corner_of(m));
+    update_half(lattice_.site(entity_of(m)).index() / Lattice::half, corner_of(m));
     return true;
 }
 
-void UnionTable::update_batch(std::size_t batch, int corner) {
-    const std::size_t place = batch * Hexahedron::corners + static_cast<std::size_t>(corner);
-    std::uint8_t* plane = lane_planes_.data() + place * lanes;
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const LocalEntity e = lattice_.entity(Site{static_cast<std::int32_t>(batch * lanes + lane)});
-        plane[lane] =
-            static_cast<std::uint8_t>(e == LocalEntity{} ? base_plane : plane_of(slot(local_mass(e, corner))));
-    }
+void UnionTable::update_half(std::size_t half, int corner) {
+    const auto c = static_cast<std::size_t>(corner);
+    const std::size_t first = half * Lattice::half;
+    std::uint8_t* plane = lane_planes_.data() + (first / lanes * Hexahedron::corners + c) * lanes + first % lanes;
     unsigned in_use = 0;
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
+    for (std::size_t lane = 0; lane < Lattice::half; ++lane) {
+        const LocalEntity e = lattice_.entity(Site{static_cast<std::int32_t>(first + lane)});
+        plane[lane] = static_cast<std::uint8_t>(e == LocalEntity{} ? base_plane : label(local_mass(e, corner)));
         in_use |= 1U << plane[lane];
     }
-    batch_planes_[place] = static_cast<std::uint8_t>(in_use);
+    half_planes_[half * Hexahedron::corners + c] = static_cast<std::uint8_t>(in_use);
 }
 
 std::size_t UnionTable::memory_bytes() const {
     return lattice_.memory_bytes() + label_.capacity() + touched_.capacity() + in_use_.capacity() +
-           batch_planes_.capacity() + lane_planes_.capacity();
+           half_planes_.capacity() + lane_planes_.capacity();
 }
 
 }  // namespace cracksim::physics

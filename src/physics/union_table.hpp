@@ -46,9 +46,9 @@ public:
     /// Slots of all unions that this rank advances, by vertex.
     [[nodiscard]] std::vector<Slot> advanced() const;
 
-    /// [batch][corner]: bit p is set where plane p holds the motion of that corner of some entity of the batch, or the lane is void and
-    /// p the base plane.
-    [[nodiscard]] const std::uint8_t* batch_planes() const { return batch_planes_.data(); }
+    /// [half of a batch][corner]: bit p is set where plane p holds the motion of that corner of some entity there, or the lane is
+    /// void and p the base plane.
+    [[nodiscard]] const std::uint8_t* half_planes() const { return half_planes_.data(); }
     /// [batch][corner][lane]: the planes of the corners' motions one by one; the base plane for void lanes.
     [[nodiscard]] const std::uint8_t* lane_planes() const { return lane_planes_.data(); }
 
@@ -63,13 +63,13 @@ private:
     [[nodiscard]] LocalMass smallest_at(VertexSite v) const;
     void find_labels(const Network& network);
     void find_planes(VertexSite v);
-    void update_batch(std::size_t batch, int corner);
+    void update_half(std::size_t half, int corner);
 
     Lattice lattice_;
     std::vector<std::uint8_t> label_;    ///< by local mass
     std::vector<std::uint8_t> touched_;  ///< by vertex site
     std::vector<std::uint8_t> in_use_;   ///< by vertex site: bit p is set where plane p holds an advanced union
-    std::vector<std::uint8_t> batch_planes_;
+    std::vector<std::uint8_t> half_planes_;
     std::vector<std::uint8_t> lane_planes_;
 };
 

@@ -103,6 +103,8 @@ void leave_invalid(const Ending& ending, const InvalidRun& invalid, io::Log& log
     io::Summary summary = ending.summary();
     summary.status = io::Status::invalid;
     summary.invalid = {invalid.step(), invalid.mass(), invalid.what()};
+    summary.time.steps = invalid.step();
+    summary.time.end = static_cast<double>(invalid.step()) * summary.time.step;
     ending.write(summary);
 }
 

@@ -52,8 +52,8 @@ double state_bytes(const PartLoad& load, physics::Scheme scheme, double opened) 
     constexpr double lanes = physics::Lattice::lanes;
     constexpr double per_entity = Hexahedron::corners * sizeof(std::uint8_t) + sizeof(std::int32_t);
     constexpr double planes_of_site = Hexahedron::corners * sizeof(std::uint8_t);
-    constexpr double per_batch = Hexahedron::corners * sizeof(std::uint8_t) + physics::Merging::bytes_per_batch +
-                                 3 * lanes * sizeof(float) + 2 * sizeof(physics::EdgeBits) + sizeof(std::uint32_t) +
+    constexpr double per_batch = 2 * Hexahedron::corners * sizeof(std::uint8_t) + physics::Merging::bytes_per_batch +
+                                 3 * lanes * sizeof(float) + 2 * sizeof(physics::EdgeBits) + 2 * sizeof(std::uint32_t) +
                                  sizeof(std::int32_t);
     constexpr double per_site = planes_of_site + sizeof(LocalEntity) + per_batch / lanes;
     constexpr double per_vertex =

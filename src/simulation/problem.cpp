@@ -1,9 +1,12 @@
 #include "simulation/problem.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "core/errors.hpp"
 #include "core/text.hpp"
+#include "physics/lattice.hpp"
+#include "physics/motion.hpp"
 #include "physics/supports.hpp"
 #include "topology/face_link.hpp"
 
@@ -40,6 +43,19 @@ void refuse_above_limit(std::int64_t entities_of_a_rank) {
     if (entities_of_a_rank > most) {
         throw InputError{"block.cells: a rank would hold more than " + std::to_string(most) +
                          " entities; use more ranks"};
+    }
+}
+
+/// The places of a block's vertices in rows along x are numbered, with all their planes, in 32 bits on each rank.
+void refuse_long_rows(const Block& block, int ranks) {
+    constexpr double parts_differ = 1.25;
+    constexpr double most = std::numeric_limits<std::int32_t>::max() / physics::planes / parts_differ;
+    const auto [nx, ny, nz] = block.cells();
+    const auto padded = static_cast<double>((nx / physics::Lattice::lanes + 1) * physics::Lattice::lanes);
+    if (padded * static_cast<double>(ny + 1) * static_cast<double>(nz + 1) / ranks > most) {
+        throw InputError{
+            "block.cells: a rank would hold too many rows of so few entities along x; lay the longest side along "
+            "x, or use more ranks"};
     }
 }
 
@@ -129,7 +145,10 @@ io::Summary::Counts scene_counts(const Scene& scene) {
             block.interior_face_count()};
 }
 
-void check_size(const Block& block, int ranks) { refuse_above_limit((block.entity_count() + ranks - 1) / ranks); }
+void check_size(const Block& block, int ranks) {
+    refuse_above_limit((block.entity_count() + ranks - 1) / ranks);
+    refuse_long_rows(block, ranks);
+}
 
 void check_size(const partition::Communicator& comm, const partition::Decomposition& decomposition) {
     refuse_above_limit(comm.max(static_cast<std::int64_t>(decomposition.entities.size())));

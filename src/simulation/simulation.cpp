@@ -96,13 +96,17 @@ void Simulation::step_actions(Observer& observer, bool forced) {
     }
 }
 
-void Simulation::bring_coat_up_to_date(Observer& observer) {
+void Simulation::modify_coat(Observer& observer) {
     const News news{dynamics_.take_events(), dynamics_.take_splits()};
     stopwatch_->time(Phase::topology, [&] { coat_.modify(news.splits); });
+    observer.coat(*this, news);
+}
+
+void Simulation::bring_coat_up_to_date(Observer& observer) {
     if (audit_) {
         dynamics_.audit(*audit_);
     }
-    observer.coat(*this, news);
+    modify_coat(observer);
 }
 
 void Simulation::measure() {
@@ -129,8 +133,8 @@ void Simulation::check_motion(Observer& observer) {
     const bool first_here = breakdown && breakdown->step == step;
     const std::int64_t mass = comm_->min(first_here ? breakdown->mass.value() : none);
     const bool finite = !comm_->any(first_here && breakdown->mass.value() == mass && !breakdown->finite);
-    // What happened until here is told; the state itself is not shown.
-    bring_coat_up_to_date(observer);
+    // What happened until here is told; the state itself, in which ranks need no longer agree, is not shown.
+    modify_coat(observer);
     throw InvalidRun{"the run became invalid at step " + std::to_string(step) +
                          " (t = " + rounded(static_cast<double>(step) * certified_.step, 6) + " s): mass " +
                          std::to_string(mass) + " " + cause_of(certified_, finite),

@@ -86,6 +86,7 @@ private:
     void step_actions(Observer& observer, bool forced);
     void measure();
     void check_motion(Observer& observer);
+    void modify_coat(Observer& observer);
     void bring_coat_up_to_date(Observer& observer);
 
     const partition::Communicator* comm_;

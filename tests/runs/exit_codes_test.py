@@ -171,12 +171,15 @@ def unstable_run_returns_3(workplace, quick):
                            time={"end": 20000 * step, "step": step, "allow_unstable": True})
     for ranks in (2,) if quick else (1, 2, 3):
         directory = workplace.path / f"unstable-{ranks}"
-        done = workplace.run(workplace.write(scene), "--out", directory, ranks=ranks)
+        done = workplace.run(workplace.write(scene), "--out", directory, "--audit", ranks=ranks)
         said = f"on {ranks} ranks:\n{done.stdout}{done.stderr}"
         check(done.returncode == 3, f"the exit code is {done.returncode}, not 3; {said}")
         for word in ("step", "mass", "bound"):
             check(word in done.stdout + done.stderr, f"the message does not name '{word}'; {said}")
-        check(summary(directory)["status"] == "invalid", "the status in summary.json is not 'invalid'")
+        found = summary(directory)
+        check(found["status"] == "invalid", "the status in summary.json is not 'invalid'")
+        check(found["time"]["steps"] == found["invalid"]["step"], f"the last step is not the invalid one: {found['time']}")
+        check(found["state_hash"] is None, "a state that depends on the ranks has a hash")
         frame = last_frame(directory, "surface")
         subprocess.run(["h5ls", "-r", str(frame)], check=True, stdout=subprocess.DEVNULL)
         points = dataset(frame, "/VTKHDF/Points")

@@ -106,6 +106,8 @@ def random_scene(generator):
     rate = generator.uniform(10, 40)
     velocity = [f"{rate}*({axis}-{generator.uniform(0.2, 0.8) * size})+{generator.uniform(-0.3, 0.3)}*sin(90*{other})"
                 for axis, other, size in zip("xyz", "yzx", length)]
+    # In some scenes the whole block comes to be hundreds of edges from where it rests.
+    velocity[0] += f"+{generator.choice([0, 0, 150])}"
     return cracking_scene(
         block={"entity": "hexahedron", "cells": cells, "edge": 0.01, "origin": [generator.uniform(-0.1, 0.1), 0, 0]},
         duplets=generator.choice(["corners", "tree"]),

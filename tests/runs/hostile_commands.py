@@ -147,6 +147,9 @@ COMMANDS = [
      "--set a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a....: no key of a scene is that deep"),
     ("setting of a negative end", ["scene.yaml", "--set", "time.end=1", "--set", "time.end=-1"],
      "--set time.end: needs a number above 0 s, not '-1'"),
+    ("more rows than can be numbered", ["scene.yaml", "--set", "block.cells=[1, 8000, 8000]"],
+     "block.cells: a rank would hold too many rows of so few entities along x; lay the longest side along x, or use more "
+     "ranks"),
     ("two settings that exclude each other", ["scene.yaml", "--set", "network={mass: 1}"],
      "--set network: material and network exclude each other; remove one of the two"),
 ]

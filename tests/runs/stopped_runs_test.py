@@ -3,6 +3,7 @@
 import contextlib
 import os
 import re
+import shlex
 import signal
 import subprocess
 import time
@@ -152,7 +153,25 @@ def terminal_that_takes_nothing_is_told_once_and_is_no_success(workplace, quick)
     check((code, problems) == (0, ""), f"a quiet run has nothing to write there: {code}\n{problems}")
 
 
+def closed_terminals_end_in_the_same_way(workplace, quick):
+    del quick
+    scene = workplace.write(cracking_scene())
+    command = f"{shlex.quote(str(workplace.binary))} {shlex.quote(str(scene))} --out run --progress plain"
+    def shell(line):
+        return subprocess.run(["bash", "-c", line], cwd=workplace.path, env={**os.environ, **ENVIRONMENT}, check=False,
+                              timeout=600).returncode
+
+    for terminal in (">&-", ">&- 2>&-", "<&- >&- 2>&-"):
+        code = shell(f"exec {command} {terminal}")
+        check(code == 1, f"{terminal}: {code}")
+        check(summary(workplace.path / "run")["status"] == "finished", f"{terminal}: the run did not go on")
+    code = shell(f"set -o pipefail; {command} 2>problems | true")
+    problems = (workplace.path / "problems").read_text(encoding="utf-8")
+    check(code == 1 and "standard output cannot be written" in problems, f"{code}\n{problems}")
+    check(summary(workplace.path / "run")["status"] == "finished", "the run did not go on without a reader")
+
+
 if __name__ == "__main__":
     main([full_disk_leaves_a_summary_that_says_so, frame_that_cannot_be_written_ends_the_run,
           summary_of_an_old_run_is_never_left_to_one_that_failed, sigterm_stops_all_ranks_with_a_summary,
-          terminal_that_takes_nothing_is_told_once_and_is_no_success])
+          terminal_that_takes_nothing_is_told_once_and_is_no_success, closed_terminals_end_in_the_same_way])

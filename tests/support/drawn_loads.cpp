@@ -47,11 +47,16 @@ double speed_for(const SceneDraft& draft, double thresholds) {
     return thresholds * draft.typical_threshold * draft.speed();
 }
 
-void draw_velocity(SceneDraft& draft) {
+void draw_velocity(SceneDraft& draft, bool supported) {
     Components v;
     for (std::size_t i = 0; i < 3; ++i) {
         const Formula shape = draft.chance(0.75) ? from_inside(draft, i) : waves(draft, draft.whole(0, 2));
         v[i] = draft.chance(0.9) ? constant(speed_for(draft, draft.signed_number(0.5, 4))) * shape : constant(0);
+    }
+    if (!supported && draft.option(0.3, "drift", "no drift")) {
+        // The whole block comes to be more than a hundred edges from where it rests.
+        const std::size_t axis = draft.whole(0, 2);
+        v[axis] = *v[axis] + constant(draft.signed_number(1.5, 3) * draft.speed());
     }
     draft.scene.velocity = meaning(v);
     draft.text << "  velocity: " << quoted_list(v) << '\n';
@@ -165,7 +170,7 @@ void draw_loads(SceneDraft& draft) {
         draft.text << "initial:\n";
     }
     if (moves) {
-        draw_velocity(draft);
+        draw_velocity(draft, supported);
     }
     if (deformed) {
         draw_displacement(draft);

@@ -72,6 +72,8 @@ const std::vector<std::string>& drawable_options() {
                                               "no prefilter",
                                               "initial velocity",
                                               "initial displacement",
+                                              "drift",
+                                              "no drift",
                                               "supports",
                                               "no supports",
                                               "support at rest",

@@ -154,20 +154,34 @@ TEST(ForceSweep, IsRightToTheLastDigitsAtAnyStretch) {
     }
 }
 
-TEST(ForceSweep, IsExactlyZeroAtRestAndUnderTranslation) {
-    test::SerialBlock block;
-    const Network network = block.network();
-    State state{network, Scheme::cordis, 0.3};
-    for (const Slot s : state.unions.advanced()) {
-        state.set_displacement(s, {0.1, 0.7, -3.0});
-        state.set_increment(s, {0.3, 0.1, 0.2});
+TEST(ForceSweep, IsExactlyZeroAtRestAndUnderTranslationHoweverFar) {
+    // Void places and empty ones stay where they are.
+    for (const std::array<std::int64_t, 3> cells :
+         {std::array<std::int64_t, 3>{1, 1, 1}, {5, 3, 2}, {8, 2, 2}, {16, 2, 2}, {33, 3, 4}}) {
+        for (const std::uint64_t one_in : {0U, 3U, 1U}) {
+            for (const double far : {3.0, 1e3, 1e6, 1e60}) {
+                test::SerialBlock block;
+                block.cells = cells;
+                const Network network = block.network();
+                State state{network, Scheme::cordis, 0.3};
+                SplitStream splits;
+                if (one_in > 0) {
+                    split(network, drawn_duplets(network, one_in, 5), state, splits);
+                }
+                for (const Slot s : state.unions.advanced()) {
+                    state.set_displacement(s, {0.1, 0.7, -far});
+                    state.set_increment(s, {0.3, far, 0.2});
+                }
+                accumulate_forces(network, state, Measure::elastic_energy);
+                for (const Slot s : state.unions.advanced()) {
+                    ASSERT_EQ(state.force(s), (Vec3{0, 0, 0})) << far << " m";
+                }
+                EXPECT_EQ(state.elastic, 0);
+                EXPECT_EQ(state.dissipated, 0);
+                EXPECT_EQ(state.last_dissipation, 0);
+            }
+        }
     }
-    accumulate_forces(network, state, Measure::elastic_energy);
-    for (const Slot s : state.unions.advanced()) {
-        ASSERT_EQ(state.force(s), (Vec3{0, 0, 0}));
-    }
-    EXPECT_EQ(state.elastic, 0);
-    EXPECT_EQ(state.dissipated, 0);
 }
 
 TEST(ForceSweep, KeepsItsDigitsAtTinyStrain) {

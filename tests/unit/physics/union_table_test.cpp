@@ -25,17 +25,20 @@ void expect_consistent(const Network& network, const UnionTable& unions) {
     }
     EXPECT_EQ(seen.size(), static_cast<std::size_t>(network.mass_count()) - network.received().size());
     const Lattice& lattice = unions.lattice();
-    for (std::size_t place = 0; place < lattice.batches() * Hexahedron::corners; ++place) {
-        unsigned found = 0;
-        for (std::size_t lane = 0; lane < Lattice::lanes; ++lane) {
-            const std::size_t site = place / Hexahedron::corners * Lattice::lanes + lane;
-            const LocalEntity e = lattice.entity(Site{static_cast<std::int32_t>(site)});
-            const int corner = static_cast<int>(place % Hexahedron::corners);
-            const int plane = e == LocalEntity{} ? base_plane : plane_of(unions.slot(local_mass(e, corner)));
-            EXPECT_EQ(unions.lane_planes()[place * Lattice::lanes + lane], plane);
-            found |= 1U << static_cast<unsigned>(plane);
+    for (std::size_t half = 0; half < 2 * lattice.batches(); ++half) {
+        for (int corner = 0; corner < Hexahedron::corners; ++corner) {
+            const auto c = static_cast<std::size_t>(corner);
+            unsigned found = 0;
+            for (std::size_t lane = 0; lane < Lattice::half; ++lane) {
+                const std::size_t site = half * Lattice::half + lane;
+                const LocalEntity e = lattice.entity(Site{static_cast<std::int32_t>(site)});
+                const int plane = e == LocalEntity{} ? base_plane : plane_of(unions.slot(local_mass(e, corner)));
+                const std::size_t place = site / Lattice::lanes * Hexahedron::corners + c;
+                EXPECT_EQ(unions.lane_planes()[place * Lattice::lanes + site % Lattice::lanes], plane);
+                found |= 1U << static_cast<unsigned>(plane);
+            }
+            EXPECT_EQ(unions.half_planes()[half * Hexahedron::corners + c], found);
         }
-        EXPECT_EQ(unions.batch_planes()[place], found);
     }
 }
 
@@ -77,8 +80,8 @@ TEST(UnionTable, OfAnIntactBlockIsInOnePlaneExceptForTheLoneMassesOfSevenCorners
     const Network network = block.network();
     const UnionTable unions{network};
     int other = 0;
-    for (std::size_t place = 0; place < unions.lattice().batches() * Hexahedron::corners; ++place) {
-        other += unions.batch_planes()[place] == 1U << base_plane ? 0 : 1;
+    for (std::size_t place = 0; place < 2 * unions.lattice().batches() * Hexahedron::corners; ++place) {
+        other += unions.half_planes()[place] == 1U << base_plane ? 0 : 1;
     }
     EXPECT_EQ(other, 7);
 }
