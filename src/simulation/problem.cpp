@@ -48,11 +48,11 @@ void refuse_above_limit(std::int64_t entities_of_a_rank) {
 
 /// The places of a block's vertices in rows along x are numbered, with all their planes, in 32 bits on each rank.
 void refuse_long_rows(const Block& block, int ranks) {
-    constexpr double parts_differ = 1.25;
-    constexpr double most = std::numeric_limits<std::int32_t>::max() / physics::planes / parts_differ;
+    // The largest part may be a quarter above the mean.
+    constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max() / physics::planes * std::int64_t{4} / 5;
     const auto [nx, ny, nz] = block.cells();
-    const auto padded = static_cast<double>((nx / physics::Lattice::lanes + 1) * physics::Lattice::lanes);
-    if (padded * static_cast<double>(ny + 1) * static_cast<double>(nz + 1) / ranks > most) {
+    const std::int64_t padded = (nx / physics::Lattice::lanes + 1) * physics::Lattice::lanes;
+    if (padded * (ny + 1) * (nz + 1) / ranks > most) {
         throw InputError{
             "block.cells: a rank would hold too many rows of so few entities along x; lay the longest side along "
             "x, or use more ranks"};
