@@ -11,7 +11,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 #include "physics/interaction-inl.hpp"
 #include "physics/motion.hpp"

@@ -45,6 +45,7 @@ public:
     [[nodiscard]] const std::vector<CellRow>& cell_rows() const { return cell_rows_; }
     [[nodiscard]] const std::vector<VertexRow>& vertex_rows() const { return vertex_rows_; }
     [[nodiscard]] std::size_t batches() const { return row_of_batch_.size(); }
+    [[nodiscard]] std::size_t halves() const { return 2 * batches(); }
     [[nodiscard]] std::size_t vertex_sites() const { return row_of_vertices_.size() * lanes; }
 
     [[nodiscard]] Site site(LocalEntity e) const { return site_[e]; }

@@ -61,15 +61,15 @@ public:
     }
 
 private:
+    [[nodiscard]] static std::size_t place(std::size_t site, std::size_t row) {
+        return site / Lattice::lanes * bytes_per_batch + row * Lattice::lanes + site % Lattice::lanes;
+    }
     [[nodiscard]] static std::size_t place(const UnionTable& unions, LocalEntity e, std::size_t row) {
-        const std::size_t s = unions.lattice().site(e).index();
-        return s / Lattice::lanes * bytes_per_batch + row * Lattice::lanes + s % Lattice::lanes;
+        return place(unions.lattice().site(e).index(), row);
     }
     /// The weights of half a batch.
     [[nodiscard]] std::vector<std::uint8_t>::const_iterator lanes_of(std::size_t half, std::size_t row) const {
-        const std::size_t first = half * Lattice::half;
-        return weight_.begin() + static_cast<std::ptrdiff_t>(first / Lattice::lanes * bytes_per_batch +
-                                                             row * Lattice::lanes + first % Lattice::lanes);
+        return weight_.begin() + static_cast<std::ptrdiff_t>(place(half * Lattice::half, row));
     }
     void set_weight(const UnionTable& unions, LocalEntity e, int interaction, int weight);
     void find_full_halves();

@@ -12,10 +12,10 @@ UnionTable::UnionTable(const Network& network)
       label_(static_cast<std::size_t>(network.mass_count())),
       touched_(lattice_.vertex_sites(), 0),
       in_use_(lattice_.vertex_sites(), 0),
-      half_planes_(2 * lattice_.batches() * Hexahedron::corners),
+      half_planes_(lattice_.halves() * Hexahedron::corners),
       lane_planes_(lattice_.batches() * Hexahedron::corners * lanes) {
     find_labels(network);
-    for (std::size_t half = 0; half < 2 * lattice_.batches(); ++half) {
+    for (std::size_t half = 0; half < lattice_.halves(); ++half) {
         for (int corner = 0; corner < Hexahedron::corners; ++corner) {
             update_half(half, corner);
         }

@@ -25,7 +25,7 @@ void expect_consistent(const Network& network, const UnionTable& unions) {
     }
     EXPECT_EQ(seen.size(), static_cast<std::size_t>(network.mass_count()) - network.received().size());
     const Lattice& lattice = unions.lattice();
-    for (std::size_t half = 0; half < 2 * lattice.batches(); ++half) {
+    for (std::size_t half = 0; half < lattice.halves(); ++half) {
         for (int corner = 0; corner < Hexahedron::corners; ++corner) {
             const auto c = static_cast<std::size_t>(corner);
             unsigned found = 0;
@@ -80,7 +80,7 @@ TEST(UnionTable, OfAnIntactBlockIsInOnePlaneExceptForTheLoneMassesOfSevenCorners
     const Network network = block.network();
     const UnionTable unions{network};
     int other = 0;
-    for (std::size_t place = 0; place < 2 * unions.lattice().batches() * Hexahedron::corners; ++place) {
+    for (std::size_t place = 0; place < unions.lattice().halves() * Hexahedron::corners; ++place) {
         other += unions.half_planes()[place] == 1U << base_plane ? 0 : 1;
     }
     EXPECT_EQ(other, 7);
