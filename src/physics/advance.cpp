@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "core/contracts.hpp"
@@ -18,39 +19,42 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-HWY_INLINE V NextIncrement(V increment, V mobility, V force) { return hn::MulAdd(mobility, force, increment); }
+template <class Vector>
+HWY_INLINE Vector NextIncrement(Vector increment, Vector mobility, Vector force) {
+    return hn::MulAdd(mobility, force, increment);
+}
 
-template <bool kExtrapolate>
-HWY_INLINE void AdvanceLanes(double* first, std::size_t stride, V limit, hn::Mask<D>& sane) {
-    const D d;
+template <bool kExtrapolate, class Real>
+HWY_INLINE void AdvanceLanes(Real* first, std::size_t stride, V<Real> limit, hn::Mask<D<Real>>& sane) {
+    const D<Real> d;
     const auto component = [&](std::size_t quantity) { return first + quantity * stride; };
-    const V mobility = hn::Load(d, component(Quantity::mobility));
+    const V<Real> mobility = hn::Load(d, component(Quantity::mobility));
     for (std::size_t i = 0; i < 3; ++i) {
-        double* increment = component(Quantity::increment + i);
-        double* displacement = component(Quantity::displacement + i);
-        double* force = component(Quantity::force + i);
-        const V before = hn::Load(d, increment);
-        const V w = NextIncrement(before, mobility, hn::Load(d, force));
+        Real* increment = component(Quantity::increment + i);
+        Real* displacement = component(Quantity::displacement + i);
+        Real* force = component(Quantity::force + i);
+        const V<Real> before = hn::Load(d, increment);
+        const V<Real> w = NextIncrement(before, mobility, hn::Load(d, force));
         hn::Store(w, d, increment);
         hn::Store(hn::Add(hn::Load(d, displacement), w), d, displacement);
         hn::Store(hn::Zero(d), d, force);
         if constexpr (kExtrapolate) {
-            const V next = hn::Sub(hn::Mul(hn::Set(d, 1.5), w), hn::Mul(hn::Set(d, 0.5), before));
+            const V<Real> next = hn::Sub(hn::Mul(Same<Real>(1.5), w), hn::Mul(Same<Real>(0.5), before));
             hn::Store(next, d, component(Quantity::extrapolated + i));
         }
         sane = hn::And(sane, hn::Lt(hn::Abs(w), limit));
     }
 }
 
-template <bool kExtrapolate>
-void AdvanceAll(AdvanceView& v) {
-    const D d;
-    const V limit = hn::Set(d, v.longest_increment);
+template <bool kExtrapolate, class Real>
+void AdvanceAll(AdvanceView<Real>& v) {
+    const D<Real> d;
+    const V<Real> limit = Same<Real>(v.longest_increment);
     auto sane = hn::Eq(hn::Zero(d), hn::Zero(d));
     for (std::size_t at = 0; at < v.length; at += hn::Lanes(d)) {
         AdvanceLanes<kExtrapolate>(v.base + at, v.base_stride, limit, sane);
     }
-    for (double* const block : v.blocks) {
+    for (Real* const block : v.blocks) {
         for (std::size_t lane = 0; lane < Lattice::lanes; lane += hn::Lanes(d)) {
             AdvanceLanes<kExtrapolate>(block + lane, Motion::block_stride, limit, sane);
         }
@@ -58,7 +62,8 @@ void AdvanceAll(AdvanceView& v) {
     v.broken = v.broken || !hn::AllTrue(d, sane);
 }
 
-void Advance(AdvanceView& v) {
+template <class Real>
+void AdvanceRow(AdvanceView<Real>& v) {
     if (v.extrapolates) {
         AdvanceAll<true>(v);
     } else {
@@ -66,14 +71,20 @@ void Advance(AdvanceView& v) {
     }
 }
 
-void NextIncrements(const NextIncrementView& v) {
-    const D d;
+template <class Real>
+void FindNextIncrements(const NextIncrementView<Real>& v) {
+    const D<Real> d;
     for (std::size_t at = 0; at < v.count; at += hn::Lanes(d)) {
-        const V next =
+        const V<Real> next =
             NextIncrement(hn::LoadU(d, v.increment + at), hn::LoadU(d, v.mobility + at), hn::LoadU(d, v.force + at));
         hn::StoreU(next, d, v.next + at);
     }
 }
+
+void AdvanceDouble(AdvanceView<double>& v) { AdvanceRow(v); }
+void AdvanceSingle(AdvanceView<float>& v) { AdvanceRow(v); }
+void NextIncrementsDouble(const NextIncrementView<double>& v) { FindNextIncrements(v); }
+void NextIncrementsSingle(const NextIncrementView<float>& v) { FindNextIncrements(v); }
 
 }  // namespace cracksim::physics::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -82,10 +93,17 @@ HWY_AFTER_NAMESPACE();
 
 namespace cracksim::physics {
 
-HWY_EXPORT(Advance);
-HWY_EXPORT(NextIncrements);
+HWY_EXPORT(AdvanceDouble);
+HWY_EXPORT(AdvanceSingle);
+HWY_EXPORT(NextIncrementsDouble);
+HWY_EXPORT(NextIncrementsSingle);
 
 namespace {
+
+void advance_planes(AdvanceView<double>& v) { HWY_DYNAMIC_DISPATCH(AdvanceDouble)(v); }
+void advance_planes(AdvanceView<float>& v) { HWY_DYNAMIC_DISPATCH(AdvanceSingle)(v); }
+void find_next_increments(const NextIncrementView<double>& v) { HWY_DYNAMIC_DISPATCH(NextIncrementsDouble)(v); }
+void find_next_increments(const NextIncrementView<float>& v) { HWY_DYNAMIC_DISPATCH(NextIncrementsSingle)(v); }
 
 constexpr double longest_increment_in_edges = 100;
 
@@ -100,16 +118,17 @@ double longest_increment(const Network& network) {
     return longest_increment_in_edges * std::max({edge.x, edge.y, edge.z});
 }
 
+/// With the bits of AdvanceLanes.
 void extrapolate(State& state, Slot s, Vec3 now, Vec3 before) {
     if (state.scheme == Scheme::ab2) {
-        state.set_velocity_increment(s, 1.5 * now - 0.5 * before);
+        state.set_velocity_increment(s, state.motion.rounded(1.5 * now) - state.motion.rounded(0.5 * before));
     }
 }
 
 /// The held components move as prescribed; the force that this takes does work on the union.
 void put_held_right(const Network& network, State& state, Slot slot, const Before& before) {
     const Vec3 free = state.increment(slot);
-    const Vec3 w = prescribed(network, state, slot, free, 0.5);
+    const Vec3 w = state.motion.rounded(prescribed(network, state, slot, free, 0.5));
     state.set_increment(slot, w);
     state.set_displacement(slot, before.displacement + w);
     extrapolate(state, slot, w, before.increment);
@@ -151,20 +170,11 @@ public:
 
     void advance_row(std::size_t row) {
         remember(row);
-        const Lattice::VertexRow& vertices = state_->lattice().vertex_rows()[row];
-        const auto first = static_cast<std::size_t>(vertices.first);
-        const auto length = static_cast<std::size_t>(vertices.length);
-        find_blocks(first / Lattice::lanes, length / Lattice::lanes);
-        Motion& motion = state_->motion;
-        AdvanceView view{motion.base() + first,
-                         motion.base_stride(),
-                         length,
-                         blocks_,
-                         state_->scheme == Scheme::ab2,
-                         longest_,
-                         broken_};
-        HWY_DYNAMIC_DISPATCH(Advance)(view);
-        broken_ = view.broken;
+        if (state_->motion.precision() == Precision::binary32) {
+            advance_in<float>(row);
+        } else {
+            advance_in<double>(row);
+        }
         put_right(row);
     }
 
@@ -172,13 +182,33 @@ public:
     [[nodiscard]] bool broken() const { return broken_; }
 
 private:
-    void find_blocks(std::size_t first_group, std::size_t groups) {
-        blocks_.clear();
+    template <class Real>
+    void advance_in(std::size_t row) {
+        const Lattice::VertexRow& vertices = state_->lattice().vertex_rows()[row];
+        const auto first = static_cast<std::size_t>(vertices.first);
+        const auto length = static_cast<std::size_t>(vertices.length);
+        Motion& motion = state_->motion;
+        AdvanceView<Real> view{motion.in<Real>().base() + first,
+                               motion.base_stride(),
+                               length,
+                               find_blocks<Real>(first / Lattice::lanes, length / Lattice::lanes),
+                               state_->scheme == Scheme::ab2,
+                               longest_,
+                               broken_};
+        advance_planes(view);
+        broken_ = view.broken;
+    }
+
+    template <class Real>
+    std::span<Real* const> find_blocks(std::size_t first_group, std::size_t groups) {
+        auto& blocks = std::get<std::vector<Real*>>(blocks_);
+        blocks.clear();
         for (std::size_t group = first_group; group < first_group + groups; ++group) {
             for (unsigned bits = state_->motion.planes_in_use()[group]; bits != 0; bits &= bits - 1) {
-                blocks_.push_back(state_->motion.block(group, std::countr_zero(bits)));
+                blocks.push_back(state_->motion.block<Real>(group, std::countr_zero(bits)));
             }
         }
+        return blocks;
     }
 
     void remember(std::size_t row) {
@@ -209,7 +239,7 @@ private:
     std::span<const Vec3> received_;
     double longest_;
     bool broken_{false};
-    std::vector<double*> blocks_;
+    std::tuple<std::vector<double*>, std::vector<float*>> blocks_;  ///< those of a row, in the motion's precision
     std::vector<Before> before_;
 };
 
@@ -241,24 +271,36 @@ void advance(const Network& network, State& state, std::span<const Vec3> receive
     sweep.finish();
 }
 
-std::vector<Vec3> next_increments(const Network& network, const State& state, std::span<const LocalMass> masses) {
+namespace {
+
+template <class Real>
+std::vector<Vec3> free_increments(const State& state, std::span<const LocalMass> masses) {
     const std::size_t count = (masses.size() + Lattice::lanes - 1) / Lattice::lanes * Lattice::lanes;
     std::vector<Vec3> next(masses.size());
-    std::vector<double> increment(count), mobility(count), force(count), found(count);
+    std::vector<Real> increment(count), mobility(count), force(count), found(count);
     for (int axis = 0; axis < 3; ++axis) {
         for (std::size_t i = 0; i < masses.size(); ++i) {
             const Slot s = state.unions.slot(masses[i]);
-            increment[i] = state.increment(s)[axis];
-            mobility[i] = state.mobility(s);
-            force[i] = state.force(s)[axis];
+            increment[i] = static_cast<Real>(state.increment(s)[axis]);
+            mobility[i] = static_cast<Real>(state.mobility(s));
+            force[i] = static_cast<Real>(state.force(s)[axis]);
         }
-        HWY_DYNAMIC_DISPATCH(NextIncrements)({increment.data(), mobility.data(), force.data(), found.data(), count});
+        find_next_increments(
+            NextIncrementView<Real>{increment.data(), mobility.data(), force.data(), found.data(), count});
         for (std::size_t i = 0; i < masses.size(); ++i) {
             next[i][axis] = found[i];
         }
     }
+    return next;
+}
+
+}  // namespace
+
+std::vector<Vec3> next_increments(const Network& network, const State& state, std::span<const LocalMass> masses) {
+    std::vector<Vec3> next = state.motion.precision() == Precision::binary32 ? free_increments<float>(state, masses)
+                                                                             : free_increments<double>(state, masses);
     for (std::size_t i = 0; !state.held.empty() && i < masses.size(); ++i) {
-        next[i] = prescribed(network, state, state.unions.slot(masses[i]), next[i], 0.5);
+        next[i] = state.motion.rounded(prescribed(network, state, state.unions.slot(masses[i]), next[i], 0.5));
     }
     return next;
 }

@@ -2,14 +2,13 @@
 
 #include <array>
 #include <span>
+#include <variant>
 
 #include "physics/force_sweep_view.hpp"
 #include "physics/network.hpp"
 #include "physics/state.hpp"
 
 namespace cracksim::physics {
-
-enum class Measure { nothing, elastic_energy };
 
 /// The forces of the interactions of a row of entities, from its vertex rows and onto them, as a part of one sweep over all rows in
 /// ascending order. A union's force is the sum over its masses in ascending order of their ids, of what their entities carry
@@ -29,7 +28,7 @@ public:
 private:
     State* state_;
     Measure measure_;
-    SweepView view_;
+    std::variant<SweepView<double>, SweepView<float>> view_;
 };
 
 /// Forces of all local entities, owned and halo alike, at the current state: state.force. On the way it marks the edges
@@ -37,8 +36,11 @@ private:
 /// owned entities and, if asked, sets state.elastic.
 void accumulate_forces(const Network& network, State& state, Measure measure);
 
-/// The forces on the masses of some entities (up to Lattice::lanes), N, each from all 16 interactions of its entity.
-[[nodiscard]] std::array<std::array<Vec3, Hexahedron::corners>, Lattice::lanes> entity_forces(
-    const Network& network, const State& state, std::span<const LocalEntity> entities);
+/// Of some entities, by corner, N.
+using EntityForces = std::array<std::array<Vec3, Hexahedron::corners>, Lattice::lanes>;
+
+/// The forces on the masses of some entities (up to Lattice::lanes), each from all 16 interactions of its entity.
+[[nodiscard]] EntityForces entity_forces(const Network& network, const State& state,
+                                         std::span<const LocalEntity> entities);
 
 }  // namespace cracksim::physics

@@ -10,6 +10,8 @@
 
 namespace cracksim::physics {
 
+enum class Measure { nothing, elastic_energy };
+
 /// The polynomial P of NearRatio, for |x - centre| <= reach: minimax for the residual, degree 4.
 struct Series {
     static constexpr double p0 = 0.49968050192365143;
@@ -45,12 +47,13 @@ private:
 };
 
 /// An interaction's constants as the kernel wants them.
+template <class Real>
 struct InteractionConstants {
-    double rest[3];                 ///< d0, m
-    double inverse_squared_length;  ///< 1/L0^2, 1/m2
-    double stiffness;               ///< k, N/m
-    double viscosity_rate;          ///< z/(dt L0^2), N/m3
-    double half_energy;             ///< k L0^2/2, J
+    Real rest[3];                 ///< d0, m
+    Real inverse_squared_length;  ///< 1/L0^2, 1/m2
+    Real stiffness;               ///< k, N/m
+    Real viscosity_rate;          ///< z/(dt L0^2), N/m3
+    Real half_energy;             ///< k L0^2/2, J
 };
 
 /// A row of cells: its places, and the vertices of its first cell's lower corners.
@@ -61,11 +64,12 @@ struct RowView {
 };
 
 /// Plain pointers into network and state, the same for all rows.
+template <class Real>
 struct SweepView {
-    std::array<InteractionConstants, HexahedronPairs::count> interaction;
-    double* base;  ///< the motion (motion.hpp)
+    std::array<InteractionConstants<Real>, HexahedronPairs::count> interaction;
+    Real* base;  ///< the motion (motion.hpp)
     std::size_t base_stride;
-    double* blocks;
+    Real* blocks;
     std::size_t block_size;
     const std::int32_t* block_of;  ///< [group of vertices][plane]
     std::size_t velocity_quantity;
@@ -80,10 +84,11 @@ struct SweepView {
 };
 
 /// Some entities, wherever they are: [component][corner][lane]; in: u and what damping takes for w, m; out: forces, N.
+template <class Real>
 struct GatheredEntities {
-    double displacement[3][Hexahedron::corners][Lattice::lanes];
-    double velocity_increment[3][Hexahedron::corners][Lattice::lanes];
-    double force[3][Hexahedron::corners][Lattice::lanes];
+    Real displacement[3][Hexahedron::corners][Lattice::lanes];
+    Real velocity_increment[3][Hexahedron::corners][Lattice::lanes];
+    Real force[3][Hexahedron::corners][Lattice::lanes];
 };
 
 }  // namespace cracksim::physics

@@ -24,24 +24,25 @@ using StartOfRow = std::index_sequence<3, 6, 7, 10, 11, 12, 13, 14, 15>;
 
 /// Entities whose corners are all in the base plane: they are loaded where they are needed, for there are too many to be kept in
 /// registers.
+template <class Real>
 struct PlainCorners {
-    const double* side[Lattice::sides];  ///< the lower corners' u in the chunks
+    const Real* side[Lattice::sides];  ///< the lower corners' u in the chunks
     std::size_t stride;
     std::size_t velocity;  ///< from u to what damping takes for w
 
     template <std::size_t C>
-    HWY_INLINE V3 Displacement() const {
+    HWY_INLINE V3<Real> Displacement() const {
         return Load3(Place<C>(), stride);
     }
     template <std::size_t C>
-    HWY_INLINE V3 VelocityIncrement() const {
+    HWY_INLINE V3<Real> VelocityIncrement() const {
         return Load3(Place<C>() + velocity, stride);
     }
 
 private:
     template <std::size_t C>
-    HWY_INLINE const double* Place() const {
-        const double* place = side[Lattice::side(C)];
+    HWY_INLINE const Real* Place() const {
+        const Real* place = side[Lattice::side(C)];
         // What the compiler believes to be another place it loads again, instead of keeping it on the stack.
         asm("" : "+r"(place));
         return place + Lattice::along(C);
@@ -65,28 +66,28 @@ constexpr bool is_first(unsigned list, std::size_t interaction, int corner) {
 }
 
 /// A first contribution needs no sum.
-template <std::size_t I, unsigned kList>
-HWY_INLINE void AddPlain(V factor, const V3& distance, Forces& forces) {
+template <std::size_t I, unsigned kList, class Real>
+HWY_INLINE void AddPlain(V<Real> factor, const V3<Real>& distance, Forces<Real>& forces) {
     constexpr int a = HexahedronPairs::corners[I][0];
     constexpr int b = HexahedronPairs::corners[I][1];
-    const V3 product{hn::Mul(factor, distance.x), hn::Mul(factor, distance.y), hn::Mul(factor, distance.z)};
-    forces.f[a] = is_first(kList, I, a) ? product : Plus(factor, distance, forces.f[a]);
-    forces.f[b] = Minus(factor, distance, is_first(kList, I, b) ? Zero3() : forces.f[b]);
+    const V3<Real> product{hn::Mul(factor, distance.x), hn::Mul(factor, distance.y), hn::Mul(factor, distance.z)};
+    forces.f[a] = is_first(kList, I, a) ? product : Plus<Real>(factor, distance, forces.f[a]);
+    forces.f[b] = Minus(factor, distance, is_first(kList, I, b) ? Zero3<Real>() : forces.f[b]);
 }
 
 /// kFull: no lane is void. In three passes, as AddCarried.
-template <bool kFull, bool kMeasure, std::size_t... I>
-HWY_INLINE void AddAllPlain(const SweepView& v, const PlainCorners& x, const std::uint8_t* weights, const float* limits,
-                            Forces& forces, Outcome& outcome, std::index_sequence<I...>) {
-    const D d;
+template <bool kFull, bool kMeasure, class Real, std::size_t... I>
+HWY_INLINE void AddAllPlain(const SweepView<Real>& v, const PlainCorners<Real>& x, const std::uint8_t* weights,
+                            const float* limits, Forces<Real>& forces, Outcome<Real>& outcome,
+                            std::index_sequence<I...>) {
     constexpr unsigned list = ((1U << I) | ...);
     constexpr bool all_weigh = kFull && list == mask_of(InsideRow{});
-    const Stretched stretched[]{StretchOf<I>(v, x)...};
+    const Stretched<Real> stretched[]{StretchOf<I>(v, x)...};
     std::size_t at = 0;
-    V factor[sizeof...(I)];
+    V<Real> factor[sizeof...(I)];
     ((factor[at] = Factor<I, all_weigh, false, kMeasure>(
-          v.interaction[I], stretched[at], kFull && I >= HexahedronPairs::edges ? hn::Set(d, 1.0) : Weight(weights, I),
-          limits, outcome),
+          v.interaction[I], stretched[at],
+          kFull && I >= HexahedronPairs::edges ? Same<Real>(1.0) : Weight<Real>(weights, I), limits, outcome),
       ++at),
      ...);
     at = 0;
@@ -94,20 +95,19 @@ HWY_INLINE void AddAllPlain(const SweepView& v, const PlainCorners& x, const std
 }
 
 /// Consecutive vectors of a row with a known list of interactions, from the place `at` to `end`.
-template <class List, bool kFull, bool kMeasure>
-HWY_NOINLINE void SweepPlain(SweepView& v, const RowView& row, RowRun& run, std::size_t at, std::size_t end,
-                             RowSums& sums) {
-    const D d;
+template <class List, bool kFull, bool kMeasure, class Real>
+HWY_NOINLINE void SweepPlain(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at, std::size_t end,
+                             RowSums<Real>& sums) {
     const std::size_t stride = v.base_stride;
-    for (; at < end; at += hn::Lanes(d)) {
+    for (; at < end; at += vector_lanes<Real>) {
         const std::size_t site = row.first_site + at;
         const std::uint8_t* weights = WeightsOf(v, site);
         const float* limits = LimitsOf(v, site);
-        const PlainCorners x{{run.side[0] + at, run.side[1] + at, run.side[2] + at, run.side[3] + at},
-                             stride,
-                             v.velocity_quantity * stride};
-        Forces forces;
-        Outcome outcome = Nothing();
+        const PlainCorners<Real> x{{run.side[0] + at, run.side[1] + at, run.side[2] + at, run.side[3] + at},
+                                   stride,
+                                   v.velocity_quantity * stride};
+        Forces<Real> forces;
+        Outcome<Real> outcome = Nothing<Real>();
         AddAllPlain<kFull, kMeasure>(v, x, weights, limits, forces, outcome, List{});
         if (IsFar(outcome)) {
             AddFar<kMeasure>(v, mask_of(List{}), x, weights, limits, forces, outcome);
@@ -118,9 +118,9 @@ HWY_NOINLINE void SweepPlain(SweepView& v, const RowView& row, RowRun& run, std:
 }
 
 /// False: not with this list.
-template <bool kMeasure>
-HWY_INLINE bool SweepPlain(unsigned list, SweepView& v, const RowView& row, RowRun& run, std::size_t at,
-                           std::size_t end, RowSums& sums) {
+template <bool kMeasure, class Real>
+HWY_INLINE bool SweepPlain(unsigned list, SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
+                           std::size_t end, RowSums<Real>& sums) {
     constexpr unsigned full = 1U << Merging::full;
     switch (list) {
         case mask_of(InsideRow{}) | full:

@@ -127,6 +127,9 @@ std::vector<LocalDuplet> sense_exceeded(const Network& network, const State& sta
     return found;
 }
 
+/// What the sweep's extension of an edge may err by, near any limit: |du| is at most about two edges there.
+double sweep_error(const State& state) { return state.motion.precision() == Precision::binary32 ? 4e-6 : 0.0; }
+
 float rounded_down(double limit) {
     const auto rounded = static_cast<float>(limit);
     return static_cast<double>(rounded) > limit ? std::nextafter(rounded, -1.0F) : rounded;
@@ -153,7 +156,7 @@ void set_sensing_limits(const Network& network, LocalEntity e, State& state) {
             });
         }
         state.sensing.limit[(site / Lattice::lanes * 3 + static_cast<std::size_t>(axis)) * Lattice::lanes +
-                            site % Lattice::lanes] = rounded_down(extension_limit(lowest));
+                            site % Lattice::lanes] = rounded_down(extension_limit(lowest) - sweep_error(state));
     }
 }
 

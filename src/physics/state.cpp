@@ -32,11 +32,11 @@ void for_each_slot(const Network& network, const UnionTable& unions, auto&& acti
 
 }  // namespace
 
-State::State(const Network& network, Scheme chosen, double dt)
+State::State(const Network& network, Scheme chosen, double dt, Precision precision)
     : scheme{chosen},
       step_size{dt},
       unions{network},
-      motion{unions.lattice(), chosen == Scheme::ab2},
+      motion{unions.lattice(), chosen == Scheme::ab2, precision},
       merging{network, unions},
       sensing{all_active(network, unions.lattice())},
       held_in_row(lattice().vertex_rows().size()),
@@ -63,7 +63,7 @@ State::State(const Network& network, Scheme chosen, double dt)
 void State::set_mobility(const Network& network, Slot s) {
     double mass = 0;
     unions.for_each_mass(s, [&](LocalMass) { mass += network.model().corner_mass; });
-    motion.mobility(s) = step_size * step_size / mass;
+    motion.set_mobility(s, step_size * step_size / mass);
 }
 
 void State::hold(const Held& union_held) {

@@ -54,7 +54,7 @@ struct Breakdown {
 
 /// The state of this step. Per Mass-union: u, the displacement from rest, and w, the last increment, m.
 struct State {
-    State(const Network& network, Scheme scheme, double step_size);
+    State(const Network& network, Scheme scheme, double step_size, Precision precision = Precision::binary64);
 
     Scheme scheme;
     double step_size;  ///< dt, s

@@ -17,37 +17,83 @@ HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::CappedTag<double, Lattice::lanes>;
-using V = hn::Vec<D>;
+/// Real: double, or float for single precision.
+template <class Real>
+using D = hn::CappedTag<Real, Lattice::lanes>;
+template <class Real>
+using V = hn::Vec<D<Real>>;
 
+template <class Real>
 struct V3 {
-    V x, y, z;
+    V<Real> x, y, z;
 };
 
-HWY_INLINE V3 Zero3() {
-    const D d;
+/// The same in all lanes.
+template <class Real>
+HWY_INLINE V<Real> Same(double value) {
+    const D<Real> d;
+    return hn::Set(d, static_cast<Real>(value));
+}
+/// Small whole numbers, one a byte.
+template <class Real>
+HWY_INLINE V<Real> FromBytes(const std::uint8_t* from) {
+    const D<Real> d;
+    const hn::Rebind<std::int32_t, D<Real>> d32;
+    const auto whole = hn::PromoteTo(d32, hn::LoadU(hn::Rebind<std::uint8_t, D<Real>>{}, from));
+    if constexpr (sizeof(Real) > sizeof(float)) {
+        return hn::PromoteTo(d, whole);
+    } else {
+        return hn::ConvertTo(d, whole);
+    }
+}
+template <class Real>
+HWY_INLINE V<Real> FromSingle(const float* from) {
+    const D<Real> d;
+    const auto single = hn::LoadU(hn::Rebind<float, D<Real>>{}, from);
+    if constexpr (sizeof(Real) > sizeof(float)) {
+        return hn::PromoteTo(d, single);
+    } else {
+        return single;
+    }
+}
+template <class Real>
+HWY_INLINE V3<Real> Zero3() {
+    const D<Real> d;
     return {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
 }
-HWY_INLINE V3 Load3(const double* from, std::size_t stride) {
-    const D d;
+template <class Real>
+HWY_INLINE V3<Real> Load3(const Real* from, std::size_t stride) {
+    const D<Real> d;
     return {hn::LoadU(d, from), hn::LoadU(d, from + stride), hn::LoadU(d, from + 2 * stride)};
 }
-HWY_INLINE void Store3(const V3& v, double* to, std::size_t stride) {
-    const D d;
+template <class Real>
+HWY_INLINE void Store3(const V3<Real>& v, Real* to, std::size_t stride) {
+    const D<Real> d;
     hn::StoreU(v.x, d, to);
     hn::StoreU(v.y, d, to + stride);
     hn::StoreU(v.z, d, to + 2 * stride);
 }
 
-HWY_INLINE V3 Add(const V3& a, const V3& b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
-HWY_INLINE V3 Sub(const V3& a, const V3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
-HWY_INLINE V Dot(const V3& a, const V3& b) { return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x))); }
-HWY_INLINE V3 Choose(hn::Mask<D> mask, const V3& yes, const V3& no) {
+template <class Real>
+HWY_INLINE V3<Real> Add(const V3<Real>& a, const V3<Real>& b) {
+    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+template <class Real>
+HWY_INLINE V3<Real> Sub(const V3<Real>& a, const V3<Real>& b) {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+template <class Real>
+HWY_INLINE V<Real> Dot(const V3<Real>& a, const V3<Real>& b) {
+    return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
+}
+template <class Real>
+HWY_INLINE V3<Real> Choose(hn::Mask<D<Real>> mask, const V3<Real>& yes, const V3<Real>& no) {
     return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-HWY_INLINE unsigned Bits(hn::Mask<D> mask) {
-    const D d;
+template <class Real>
+HWY_INLINE unsigned Bits(hn::Mask<D<Real>> mask) {
+    const D<Real> d;
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(d, mask, bits);
     return bits[0];
