@@ -48,8 +48,8 @@ Json json(const Summary::Counts& c) {
 }
 
 Json json(const Summary::Time& t) {
-    return {{"scheme", t.scheme},           {"step", t.step},   {"bound", t.bound},
-            {"bound_cause", t.bound_cause}, {"steps", t.steps}, {"end", t.end}};
+    return {{"scheme", t.scheme},           {"precision", t.precision}, {"step", t.step}, {"bound", t.bound},
+            {"bound_cause", t.bound_cause}, {"steps", t.steps},         {"end", t.end}};
 }
 
 Json json(const Summary::Events& e) { return {{"duplets", e.duplets}, {"splits", e.splits}}; }

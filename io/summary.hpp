@@ -27,6 +27,7 @@ struct Summary {
     };
     struct Time {
         std::string scheme;
+        std::string precision;
         double step{0};   ///< s
         double bound{0};  ///< the largest stable step, s
         std::string bound_cause;

@@ -87,7 +87,12 @@ public:
     }
     /// A number as the motion keeps it.
     [[nodiscard]] double rounded(double value) const {
-        return precision() == Precision::binary32 ? static_cast<double>(static_cast<float>(value)) : value;
+        if (precision() == Precision::binary64) {
+            return value;
+        }
+        // GCC 12 leaves two conversions in a row out where it makes a vector of several numbers; not over memory.
+        const volatile auto single = static_cast<float>(value);
+        return single;
     }
     [[nodiscard]] Vec3 rounded(Vec3 value) const { return {rounded(value.x), rounded(value.y), rounded(value.z)}; }
 

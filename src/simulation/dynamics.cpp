@@ -61,7 +61,7 @@ Dynamics::Dynamics(const partition::Communicator& comm, const Scene& scene, doub
       stopwatch_{&stopwatch},
       decomposition_{partition::decompose(comm, scene.block, partitioner(scene))},
       network_{(check_size(comm, decomposition_), build_network(comm, scene, decomposition_))},
-      state_{network_, scene.time.scheme, step_size},
+      state_{network_, scene.time.scheme, step_size, scene.time.precision},
       plan_{motion_plan(comm, network_, decomposition_)},
       sent_{local_masses(decomposition_, plan_.sent())},
       prefilter_{scene.sensors.prefilter ? physics::Prefilter::on : physics::Prefilter::off} {

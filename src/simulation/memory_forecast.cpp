@@ -48,7 +48,7 @@ double network_bytes(const PartLoad& load) {
 }
 
 /// Rows with their void places; the base plane has a place for every vertex, and where unions fall apart the other planes have, too.
-double state_bytes(const PartLoad& load, physics::Scheme scheme, double opened) {
+double state_bytes(const PartLoad& load, const Time& time, double opened) {
     constexpr double lanes = physics::Lattice::lanes;
     constexpr double per_entity = Hexahedron::corners * sizeof(std::uint8_t) + sizeof(std::int32_t);
     constexpr double planes_of_site = Hexahedron::corners * sizeof(std::uint8_t);
@@ -58,11 +58,12 @@ double state_bytes(const PartLoad& load, physics::Scheme scheme, double opened) 
     constexpr double per_site = planes_of_site + sizeof(LocalEntity) + per_batch / lanes;
     constexpr double per_vertex =
         2 * sizeof(std::uint8_t) + (sizeof(std::int32_t) * (1 + physics::planes) + sizeof(std::uint8_t)) / lanes;
-    const double components = scheme == physics::Scheme::ab2 ? 13 : 10;
+    const double components = time.scheme == physics::Scheme::ab2 ? 13 : 10;
+    const double number_bytes = time.precision == physics::Precision::binary32 ? sizeof(float) : sizeof(double);
     // Blocks are made half as many again: on average a quarter of them is room.
     const double planes = 1 + opened * 1.25 * (physics::planes - 1);
     return number(load.local) * per_entity + number(load.sites) * per_site +
-           number(load.vertex_sites) * (per_vertex + planes * components * sizeof(double)) + number(load.interfaces);
+           number(load.vertex_sites) * (per_vertex + planes * components * number_bytes) + number(load.interfaces);
 }
 
 /// Links, masks, unions by mass, the search for what came off, twice a tree and pieces, and the free faces with what finds them.
@@ -183,12 +184,12 @@ double event_bytes(const Scene& scene, const PartLoad& load, const RankSetting& 
 
 }  // namespace
 
-double model_bytes(const PartLoad& load, physics::Scheme scheme, double opened) {
-    return network_bytes(load) + state_bytes(load, scheme, opened) + coat_bytes(load, opened);
+double model_bytes(const PartLoad& load, const Time& time, double opened) {
+    return network_bytes(load) + state_bytes(load, time, opened) + coat_bytes(load, opened);
 }
 
 std::int64_t peak_bytes(const Scene& scene, const PartLoad& load, const RankSetting& setting, double opened) {
-    const double model = model_bytes(load, scene.time.scheme, opened) + distribution_bytes(load);
+    const double model = model_bytes(load, scene.time, opened) + distribution_bytes(load);
     // Events and frames add up: SuperLU_DIST, which comes with PETSc, sets the allocator to give nothing back to the system, and the
     // pieces that a coat leaves are too small for a frame.
     const double running =

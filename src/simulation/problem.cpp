@@ -7,6 +7,7 @@
 #include "core/text.hpp"
 #include "physics/lattice.hpp"
 #include "physics/motion.hpp"
+#include "physics/single_precision.hpp"
 #include "physics/supports.hpp"
 #include "topology/face_link.hpp"
 
@@ -59,9 +60,17 @@ void refuse_long_rows(const Block& block, int ranks) {
     }
 }
 
+/// In single precision what is squared must stay below 1e38.
+bool is_fit(Vec3 value, bool single) {
+    constexpr double largest = 1e18;
+    return is_finite(value) && !(single && norm(value) > largest);
+}
+
 /// The first thing that is wrong with this rank's part of the problem.
-std::optional<std::string> finding(const physics::Network& network, const physics::Initial& initial,
-                                   const Places& places) {
+std::optional<std::string> finding(const physics::Network& network, const Scene& scene) {
+    const Places& places = scene.places;
+    const physics::Initial initial = initial_fields(scene);
+    const bool single = scene.time.precision == physics::Precision::binary32;
     if (network.invalid_threshold()) {
         return places.threshold + *network.invalid_threshold() +
                "; a threshold is a stretch above zero (.inf: never); change the expression so that it is positive "
@@ -74,10 +83,11 @@ std::optional<std::string> finding(const physics::Network& network, const physic
         const Vec3 at = network.rest_position(m);
         const Vec3 u = initial.displacement(at);
         const Vec3 v = initial.velocity(at);
-        if (!is_finite(u) || !is_finite(v)) {
-            return places.initial + (is_finite(u) ? "the velocity" : "the displacement") +
-                   " at x = " + rounded(at.x, 6) + ", y = " + rounded(at.y, 6) + ", z = " + rounded(at.z, 6) +
-                   " m is not a finite number; change the expression";
+        const bool fits = is_fit(u, single);
+        if (!fits || !is_fit(v, single)) {
+            return places.initial + (fits ? "the velocity" : "the displacement") + " at x = " + rounded(at.x, 6) +
+                   ", y = " + rounded(at.y, 6) + ", z = " + rounded(at.z, 6) + " m is not a finite number" +
+                   (single ? " below 1e18, as time.precision: single needs it" : "") + "; change the expression";
         }
     }
     return std::nullopt;
@@ -100,6 +110,12 @@ CertifiedStep certify_step(const Scene& scene) {
         throw InputError{scene.places.end + rounded(scene.time.end, 6) + " s takes " +
                          rounded(scene.time.end / step, 6) + " steps of " + rounded(step, 6) +
                          " s, more than can be counted; use an earlier end"};
+    }
+    if (const auto unfit = scene.time.precision == physics::Precision::binary32
+                               ? physics::unfit_for_single_precision(model, step)
+                               : std::nullopt) {
+        throw InputError{scene.places.precision + "single holds numbers of 1e-25 to 1e25 only, and not " + *unfit +
+                         "; use double"};
     }
     CertifiedStep certified{step, bound, static_cast<std::int64_t>(std::ceil(scene.time.end / step * (1 - 1e-12))), ""};
     if (step > bound.step && !scene.time.allow_unstable) {
@@ -158,7 +174,7 @@ physics::Network build_network(const partition::Communicator& comm, const Scene&
                                const partition::Decomposition& decomposition) {
     physics::Network network{scene.block,   entity_model(scene), decomposition.entities, decomposition.owned,
                              scene.duplets, thresholds(scene),   supports(scene)};
-    if (const auto text = comm.first(finding(network, initial_fields(scene), scene.places))) {
+    if (const auto text = comm.first(finding(network, scene))) {
         throw InputError{*text};
     }
     return network;

@@ -86,6 +86,7 @@ io::Summary summarize(const Simulation& simulation, const Forecast& forecast, st
     summary.provenance = provenance(simulation);
     summary.counts = scene_counts(simulation.scene());
     summary.time = {simulation.scene().time.scheme == physics::Scheme::ab2 ? "ab2" : "cordis",
+                    simulation.scene().time.precision == physics::Precision::binary32 ? "single" : "double",
                     certified.step,
                     certified.bound.step,
                     certified.bound.cause,

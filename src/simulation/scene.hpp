@@ -8,6 +8,7 @@
 #include "core/block.hpp"
 #include "core/vec3.hpp"
 #include "io/expression.hpp"
+#include "physics/motion.hpp"
 #include "physics/network.hpp"
 #include "physics/stability.hpp"
 #include "physics/thresholds.hpp"
@@ -62,6 +63,7 @@ struct Time {
     double end;                  ///< s
     std::optional<double> step;  ///< s; empty: from the certified bound
     physics::Scheme scheme;
+    physics::Precision precision;
     bool allow_unstable;
 };
 
@@ -81,6 +83,7 @@ struct Places {
     std::string supports;
     std::string step;
     std::string end;
+    std::string precision;
 };
 
 /// What an input means, in SI, with all defaults filled in. Made by read_scene and not changed afterwards.

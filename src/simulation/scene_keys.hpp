@@ -31,7 +31,7 @@ struct Section {
         {"initial", {"displacement", "velocity"}},
         {"supports.*", {"name", "where", "velocity"}},
         {"supports.*.where", {"box"}},
-        {"time", {"end", "step", "scheme", "allow_unstable"}},
+        {"time", {"end", "step", "scheme", "precision", "allow_unstable"}},
         {"coat", {"rate"}},
         {"output", {"rate", "surface", "crack", "masses", "topology"}},
         {"history", {"rate"}},

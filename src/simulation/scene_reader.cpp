@@ -138,11 +138,15 @@ Time read_time(const InputNode& node) {
     constexpr std::array<std::pair<std::string_view, physics::Scheme>, 2> schemes{
         {{"cordis", physics::Scheme::cordis}, {"ab2", physics::Scheme::ab2}}};
     constexpr std::array<std::string_view, 3> later{"rk4", "implicit", "static"};
+    constexpr std::array<std::pair<std::string_view, physics::Precision>, 2> precisions{
+        {{"double", physics::Precision::binary64}, {"single", physics::Precision::binary32}}};
     node.expect_keys(keys_of("time"));
     const MaybeNode scheme = node.find("scheme");
+    const MaybeNode precision = node.find("precision");
     const double end = positive(node.at("end"), "s");
     return {end, read_step(node.find("step"), end),
             scheme ? enumerator(*scheme, schemes, later) : physics::Scheme::cordis,
+            precision ? enumerator(*precision, precisions) : physics::Precision::binary64,
             boolean_or(node, "allow_unstable", false)};
 }
 
@@ -178,8 +182,8 @@ Places read_places(const InputNode& root) {
         const MaybeNode value = key.empty() ? node : find(node, key);
         return value ? value->place() : node ? node->place() : root.place();
     };
-    return {place("block", "cells"), place("sensors", "threshold"), place("initial", ""),
-            place("supports", ""),   place("time", "step"),         place("time", "end")};
+    return {place("block", "cells"), place("sensors", "threshold"), place("initial", ""),      place("supports", ""),
+            place("time", "step"),   place("time", "end"),          place("time", "precision")};
 }
 
 Scene scene_of(const InputNode& root) {

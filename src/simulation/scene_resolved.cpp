@@ -99,6 +99,7 @@ std::string supports_text(const std::vector<Support>& supports) {
 std::string time_text(const Time& time) {
     return "time:\n  end: " + yaml(time.end) + "\n  step: " + (time.step ? yaml(*time.step) : "auto") +
            "\n  scheme: " + (time.scheme == physics::Scheme::cordis ? "cordis" : "ab2") +
+           "\n  precision: " + (time.precision == physics::Precision::binary64 ? "double" : "single") +
            "\n  allow_unstable: " + yaml(time.allow_unstable) + "\n";
 }
 

@@ -61,7 +61,7 @@ TEST(ModelBytes, AreWhatNetworkStateAndMapHold) {
         const Dynamics& dynamics = simulation.dynamics();
         const auto held = static_cast<double>(dynamics.network().memory_bytes() + dynamics.state().memory_bytes() +
                                               simulation.coat().memory_bytes());
-        const double model = model_bytes(load_of(dynamics, simulation.coat()), scene.time.scheme, 0);
+        const double model = model_bytes(load_of(dynamics, simulation.coat()), scene.time, 0);
         // Lists that grew have room for more than they hold, of which the process never touches a page.
         EXPECT_LT(model, 1.04 * held);
         EXPECT_GT(model, 0.85 * held);

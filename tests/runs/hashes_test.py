@@ -74,6 +74,23 @@ def scheme_ab2_with_supports(workplace, quick):
                     f"partition.kind={partition}", ranks=ranks)
 
 
+def single_precision(workplace, quick):
+    end = 0.06
+    supports = [{"name": "left", "where": {"box": [[-1, -1, -1], [0.005, 1, 1]]}, "velocity": [0, 0, None]},
+                {"name": "right", "where": {"box": [[0.075, -1, -1], [1, 1, 1]]}, "velocity": ["0.3*(1+t)", 0, 0]}]
+    for scheme, more in (("cordis", {}), ("ab2", {"supports": supports})):
+        scene = cracking_scene(time={"end": end, "scheme": scheme, "precision": "single"}, **more)
+        expected = reference(workplace, scene, 100, f"{scheme} in single precision")
+        double = cracking_scene(time={"end": end, "scheme": scheme}, **more)
+        check(hashes(workplace.finished(double)) != expected, f"{scheme}: single precision has the hashes of double")
+        for ranks in (3,) if quick else RANKS[1:]:
+            for partition in PARTITIONS:
+                compare(workplace, scene, expected, f"{scheme} in single precision", "--audit", "--set",
+                        f"partition.kind={partition}", ranks=ranks)
+        compare(workplace, scene, expected, f"{scheme} in single precision, no prefilter", "--set",
+                "sensors.prefilter=false")
+
+
 def ranks_without_an_entity(workplace, quick):
     scene = cracking_scene(block={"entity": "hexahedron", "cells": [3, 1, 1], "edge": 0.01, "origin": [0, 0, 0]},
                            initial={"velocity": ["100*(x-0.015)", 0, 0]})
@@ -115,7 +132,8 @@ def random_scene(generator):
         sensors={"threshold": generator.uniform(0.005, 0.04),
                  "weibull": {"shape": generator.uniform(3, 15), "seed": generator.randint(0, 2**31)}},
         initial={"velocity": velocity},
-        time={"end": 0.03, "scheme": generator.choice(["cordis", "ab2"])},
+        time={"end": 0.03, "scheme": generator.choice(["cordis", "ab2"]),
+              "precision": generator.choice(["double", "single"])},
         coat={"rate": generator.choice([20, 100, 900])})
 
 
@@ -155,15 +173,17 @@ def frames_do_not_depend_on_ranks(workplace, quick):
 def release_and_second_build_agree(workplace, quick):
     del quick
     second = os.environ["CRACKSIM_SECOND_BINARY"]
-    for scheme in ("cordis", "ab2"):
-        scene = cracking_scene(time={"end": 0.06, "scheme": scheme})
-        expected = reference(workplace, scene, 150, scheme)
+    for scheme, precision in (("cordis", "double"), ("ab2", "double"), ("ab2", "single")):
+        what = f"{scheme}, {precision}"
+        scene = cracking_scene(time={"end": 0.06, "scheme": scheme, "precision": precision})
+        expected = reference(workplace, scene, 150, what)
         for ranks in (1, 2, 7):
-            compare(workplace, scene, expected, f"{second}, {scheme}", "--audit", ranks=ranks, binary=second)
+            compare(workplace, scene, expected, f"{second}, {what}", "--audit", ranks=ranks, binary=second)
 
 
 TESTS = [any_ranks_and_partition, hashes_tell_runs_apart, any_rates, prefilter_on_and_off, scheme_ab2_with_supports,
-         boxes_of_a_network, tree_of_duplets, ranks_without_an_entity, random_scenes, frames_do_not_depend_on_ranks]
+         single_precision, boxes_of_a_network, tree_of_duplets, ranks_without_an_entity, random_scenes,
+         frames_do_not_depend_on_ranks]
 if __name__ == "__main__":
     if "CRACKSIM_SECOND_BINARY" in os.environ:
         TESTS.append(release_and_second_build_agree)

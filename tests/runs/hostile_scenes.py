@@ -165,6 +165,8 @@ FORM = [
     Row("scheme that comes later", "cordis", "implicit",
         ":9:39: time.scheme: not available in cracksim 0.1; 'implicit' comes later; take cordis"),
     Row("unknown scheme", "cordis", "verlet", ":9:39: time.scheme: does not know 'verlet'; take one of cordis, ab2"),
+    Row("unknown precision", "scheme: cordis", "precision: half",
+        ":9:42: time.precision: does not know 'half'; take one of double, single"),
     Row("text for true or false", "allow_unstable: false", "allow_unstable: perhaps",
         ":9:63: time.allow_unstable: needs true or false, not 'perhaps'"),
     Row("rate of 0 for the coat", "coat: {rate: 50}", "coat: {rate: 0}",

@@ -35,6 +35,7 @@ TEST(Summary, HasTheKeysThatUsersRelyOn) {
                                 "/counts/darts",
                                 "/counts/interior_faces",
                                 "/time/scheme",
+                                "/time/precision",
                                 "/time/step",
                                 "/time/bound",
                                 "/time/bound_cause",

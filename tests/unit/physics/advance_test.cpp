@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "physics/force_sweep.hpp"
+#include "support/precisions.hpp"
 #include "support/random_state.hpp"
 #include "support/serial_network.hpp"
 
@@ -13,27 +14,52 @@ namespace cracksim::physics {
 namespace {
 
 TEST(Advance, IsTheSchemeForEveryUnion) {
+    test::SerialBlock block;
+    block.cells = {9, 3, 2};
+    const Network network = block.network();
     for (const Scheme scheme : {Scheme::cordis, Scheme::ab2}) {
-        test::SerialBlock block;
-        block.cells = {9, 3, 2};
-        const Network network = block.network();
-        State state{network, scheme, 0.3};
-        test::shake(state, 0.1, 8);
-        accumulate_forces(network, state, Measure::nothing);
-        const State before = state;
-        advance(network, state, {}, Measure::nothing);
-        for (const Slot s : state.unions.advanced()) {
-            const Vec3 force = before.force(s);
-            const double mass = before.unions.mass_count(s) * network.model().corner_mass;
-            const Vec3 w = before.increment(s) + (0.09 / mass) * force;
-            EXPECT_LT(norm(state.increment(s) - w), 1e-15);
-            EXPECT_EQ(state.displacement(s), before.displacement(s) + state.increment(s));
-            if (scheme == Scheme::ab2) {
-                const Vec3 q = 1.5 * state.increment(s) - 0.5 * before.increment(s);
-                EXPECT_LT(norm(state.velocity_increment(s) - q), 1e-16);
+        for (const Precision precision : test::both_precisions) {
+            State state{network, scheme, 0.3, precision};
+            test::shake(state, 0.1, 8);
+            accumulate_forces(network, state, Measure::nothing);
+            const State before = state;
+            advance(network, state, {}, Measure::nothing);
+            for (const Slot s : state.unions.advanced()) {
+                const Vec3 force = before.force(s);
+                const double mass = before.unions.mass_count(s) * network.model().corner_mass;
+                const Vec3 w = before.increment(s) + (0.09 / mass) * force;
+                EXPECT_LT(norm(state.increment(s) - w), test::allowed(1e-15, precision));
+                EXPECT_EQ(state.displacement(s), state.motion.rounded(before.displacement(s) + state.increment(s)));
+                if (scheme == Scheme::ab2) {
+                    const Vec3 q = 1.5 * state.increment(s) - 0.5 * before.increment(s);
+                    EXPECT_LT(norm(state.velocity_increment(s) - q), test::allowed(1e-16, precision));
+                }
             }
+            EXPECT_EQ(state.step, 1);
         }
-        EXPECT_EQ(state.step, 1);
+    }
+}
+
+TEST(NextIncrements, AreThoseOfTheAdvanceToTheLastBit) {
+    test::SerialBlock block;
+    block.cells = {9, 3, 2};
+    physics::Support pull{"pull", {Vec3{-1, -1, -1}, Vec3{0.5, 9, 9}}, {}};
+    pull.velocity[0] = [](Vec3, double) { return -0.1 / 3; };
+    block.supports = {pull};
+    const Network network = block.network();
+    std::vector<LocalMass> masses;
+    for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
+        masses.push_back(m);
+    }
+    for (const Precision precision : test::both_precisions) {
+        State state{network, Scheme::cordis, 0.3, precision};
+        test::shake(state, 0.1, 9);
+        accumulate_forces(network, state, Measure::nothing);
+        const std::vector<Vec3> next = next_increments(network, state, masses);
+        advance(network, state, {}, Measure::nothing);
+        for (const LocalMass m : masses) {
+            EXPECT_EQ(next[m.index()], state.increment(state.unions.slot(m)));
+        }
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/hash.hpp"
 #include "physics/split.hpp"
+#include "support/precisions.hpp"
 #include "support/random_state.hpp"
 #include "support/serial_network.hpp"
 
@@ -39,13 +40,15 @@ TEST(ForceSweep, IsTheModelsForceInEveryEntityOfAnyBlock) {
         block.cells = cells;
         block.edge = {1, 1.5, 0.7};
         const Network network = block.network();
-        State state{network, Scheme::cordis, 0.3};
-        test::shake(state, 0.2, 11);
-        for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
-            const auto expected = plain_forces(network, state, e);
-            const auto found = entity_forces(network, state, std::array{e})[0];
-            for (std::size_t c = 0; c < found.size(); ++c) {
-                EXPECT_LT(norm(found[c] - expected[c]), 1e-13);
+        for (const Precision precision : test::both_precisions) {
+            State state{network, Scheme::cordis, 0.3, precision};
+            test::shake(state, 0.2, 11);
+            for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
+                const auto expected = plain_forces(network, state, e);
+                const auto found = entity_forces(network, state, std::array{e})[0];
+                for (std::size_t c = 0; c < found.size(); ++c) {
+                    EXPECT_LT(norm(found[c] - expected[c]), test::allowed(2e-15, precision));
+                }
             }
         }
     }
@@ -70,37 +73,41 @@ void expect_forces_of_the_model(const Network& network, State& state) {
         state.unions.for_each_mass(s, [&](LocalMass m) {
             sum += plain_forces(network, state, entity_of(m))[static_cast<std::size_t>(corner_of(m))];
         });
-        ASSERT_LT(norm(state.force(s) - sum), 1e-13);
+        ASSERT_LT(norm(state.force(s) - sum), test::allowed(1e-14, state.motion.precision()));
     }
 }
 
 TEST(ForceSweep, SumsTheModelsForcesOverUnionsInAnyStateOfSplits) {
     for (const std::array<std::int64_t, 3> cells :
          {std::array<std::int64_t, 3>{1, 1, 1}, {3, 5, 4}, {7, 2, 2}, {8, 2, 2}, {16, 3, 1}, {33, 4, 3}}) {
+        test::SerialBlock block;
+        block.cells = cells;
+        const Network network = block.network();
         for (const std::uint64_t one_in : {30U, 6U, 2U, 1U}) {
-            test::SerialBlock block;
-            block.cells = cells;
-            const Network network = block.network();
-            State state{network, Scheme::cordis, 0.3};
-            test::shake(state, 0.2, 4);
-            expect_forces_of_the_model(network, state);
-            SplitStream splits;
-            split(network, drawn_duplets(network, one_in, 1), state, splits);
-            const State shared = state;
-            expect_forces_of_the_model(network, state);
-            for (const Slot s : state.unions.advanced()) {
-                ASSERT_LT(norm(shared.force(s) - state.force(s)), 1e-13) << "forces shared out by a split";
+            for (const Precision precision : test::both_precisions) {
+                State state{network, Scheme::cordis, 0.3, precision};
+                test::shake(state, 0.2, 4);
+                expect_forces_of_the_model(network, state);
+                SplitStream splits;
+                split(network, drawn_duplets(network, one_in, 1), state, splits);
+                const State shared = state;
+                expect_forces_of_the_model(network, state);
+                for (const Slot s : state.unions.advanced()) {
+                    ASSERT_LT(norm(shared.force(s) - state.force(s)), test::allowed(1e-14, precision))
+                        << "forces shared out by a split";
+                }
             }
         }
     }
 }
 
-TEST(ForceSweep, GivesTheSameBitsNearAndFarFromTheSeries) {
+/// One union is far from its place.
+void expect_that_only_its_neighbours_notice(Precision precision) {
     // One entity far beyond the series' range puts its neighbours in the batch on the other path: their forces must not notice.
     test::SerialBlock block;
     block.cells = {40, 3, 3};
     const Network network = block.network();
-    State state{network, Scheme::cordis, 0.3};
+    State state{network, Scheme::cordis, 0.3, precision};
     test::shake(state, 0.02, 7);
     State disturbed = state;
     const VertexId far = network.block().vertex(EntityId{180}, 0);
@@ -126,61 +133,76 @@ TEST(ForceSweep, GivesTheSameBitsNearAndFarFromTheSeries) {
     }
 }
 
-/// A single edge of stiffness 1 in one entity, stretched by its extension x = |d|^2/L0^2 - 1.
-double pull_along_x(double extension) {
+TEST(ForceSweep, GivesTheSameBitsNearAndFarFromTheSeries) {
+    for (const Precision precision : test::both_precisions) {
+        expect_that_only_its_neighbours_notice(precision);
+    }
+}
+
+/// A single edge of stiffness 1 in one entity, stretched by about this extension x = |d|^2/L0^2 - 1: its force over the right one.
+double relative_pull_along_x(double extension, Precision precision) {
     test::SerialBlock block;
     block.cells = {1, 1, 1};
     block.edges = {1, 0};
     block.diagonals = {0, 0};
     const Network network = block.network();
-    State state{network, Scheme::cordis, 0.3};
+    State state{network, Scheme::cordis, 0.3, precision};
     // The length 1 + u from u = x/(1 + sqrt(1 + x)) has all its digits.
-    const double u = extension / (1 + std::sqrt(1 + extension));
+    const double u = state.motion.rounded(extension / (1 + std::sqrt(1 + extension)));
     for (LocalMass m{0}; m.value() < Hexahedron::corners; ++m) {
         state.set_displacement(state.unions.slot(m), {u * network.rest_position(m).x, 0, 0});
     }
     accumulate_forces(network, state, Measure::nothing);
-    return state.force(state.unions.slot(LocalMass{0})).x;
+    return state.force(state.unions.slot(LocalMass{0})).x / u;
 }
 
 TEST(ForceSweep, IsRightToTheLastDigitsAtAnyStretch) {
     for (double size = 1e-15; size < 1e6; size *= 1.07) {
         for (const double extension : {size, -size}) {
-            if (extension > -0.9) {
-                const double expected = extension / (1 + std::sqrt(1 + extension));
-                EXPECT_NEAR(pull_along_x(extension) / expected, 1, 5e-15) << "extension " << extension;
+            for (const Precision precision : test::both_precisions) {
+                if (extension > -0.9) {
+                    EXPECT_NEAR(relative_pull_along_x(extension, precision), 1, test::allowed(5e-15, precision))
+                        << "extension " << extension;
+                }
             }
         }
     }
 }
 
-TEST(ForceSweep, IsExactlyZeroAtRestAndUnderTranslationHoweverFar) {
+void expect_no_force_under_translation(Precision precision, double far) {
     // Void places and empty ones stay where they are.
     for (const std::array<std::int64_t, 3> cells :
          {std::array<std::int64_t, 3>{1, 1, 1}, {5, 3, 2}, {8, 2, 2}, {16, 2, 2}, {33, 3, 4}}) {
         for (const std::uint64_t one_in : {0U, 3U, 1U}) {
-            for (const double far : {3.0, 1e3, 1e6, 1e60}) {
-                test::SerialBlock block;
-                block.cells = cells;
-                const Network network = block.network();
-                State state{network, Scheme::cordis, 0.3};
-                SplitStream splits;
-                if (one_in > 0) {
-                    split(network, drawn_duplets(network, one_in, 5), state, splits);
-                }
-                for (const Slot s : state.unions.advanced()) {
-                    state.set_displacement(s, {0.1, 0.7, -far});
-                    state.set_increment(s, {0.3, far, 0.2});
-                }
-                accumulate_forces(network, state, Measure::elastic_energy);
-                for (const Slot s : state.unions.advanced()) {
-                    ASSERT_EQ(state.force(s), (Vec3{0, 0, 0})) << far << " m";
-                }
-                EXPECT_EQ(state.elastic, 0);
-                EXPECT_EQ(state.dissipated, 0);
-                EXPECT_EQ(state.last_dissipation, 0);
+            test::SerialBlock block;
+            block.cells = cells;
+            const Network network = block.network();
+            State state{network, Scheme::cordis, 0.3, precision};
+            SplitStream splits;
+            if (one_in > 0) {
+                split(network, drawn_duplets(network, one_in, 5), state, splits);
             }
+            for (const Slot s : state.unions.advanced()) {
+                state.set_displacement(s, {0.1, 0.7, -far});
+                state.set_increment(s, {0.3, far, 0.2});
+            }
+            accumulate_forces(network, state, Measure::elastic_energy);
+            for (const Slot s : state.unions.advanced()) {
+                ASSERT_EQ(state.force(s), (Vec3{0, 0, 0})) << far << " m";
+            }
+            EXPECT_EQ(state.elastic, 0);
+            EXPECT_EQ(state.dissipated, 0);
+            EXPECT_EQ(state.last_dissipation, 0);
         }
+    }
+}
+
+TEST(ForceSweep, IsExactlyZeroAtRestAndUnderTranslationHoweverFar) {
+    for (const double far : {3.0, 1e3, 1e6, 1e60}) {
+        expect_no_force_under_translation(Precision::binary64, far);
+    }
+    for (const double far : {3.0, 1e3, 1e6, 1e18}) {
+        expect_no_force_under_translation(Precision::binary32, far);
     }
 }
 

@@ -5,18 +5,19 @@
 #include <cstdint>
 
 #include "physics/state.hpp"
+#include "support/precisions.hpp"
 #include "support/serial_network.hpp"
 
 namespace cracksim::physics {
 namespace {
 
-TEST(Motion, KeepsEachComponentOfEachSlotApart) {
+void expect_components_apart(Precision precision) {
     test::SerialBlock block;
     block.cells = {9, 2, 2};
     const Network network = block.network();
     const UnionTable unions{network};
     const Lattice& lattice = unions.lattice();
-    Motion motion{lattice, true};
+    Motion motion{lattice, true, precision};
     const auto value = [](Slot s, std::size_t quantity) {
         const double first = s.value() * 100.0 + static_cast<double>(quantity);
         return Vec3{first, first + 0.25, first + 0.5};
@@ -28,7 +29,7 @@ TEST(Motion, KeepsEachComponentOfEachSlotApart) {
         for (const std::size_t quantity : quantities) {
             motion.set(s, quantity, value(s, quantity));
         }
-        motion.mobility(s) = s.value();
+        motion.set_mobility(s, s.value());
     }
     for (const Slot s : unions.advanced()) {
         for (const std::size_t quantity : quantities) {
@@ -38,12 +39,45 @@ TEST(Motion, KeepsEachComponentOfEachSlotApart) {
     }
 }
 
+TEST(Motion, KeepsEachComponentOfEachSlotApart) {
+    for (const Precision precision : test::both_precisions) {
+        expect_components_apart(precision);
+    }
+}
+
+TEST(Motion, TakesHalfTheMemoryInSinglePrecision) {
+    test::SerialBlock block;
+    block.cells = {80, 9, 9};
+    const Network network = block.network();
+    const Lattice lattice = UnionTable{network}.lattice();
+    const auto bytes = [&](Precision precision) {
+        return static_cast<double>(Motion{lattice, false, precision}.memory_bytes());
+    };
+    EXPECT_NEAR(bytes(Precision::binary32) / bytes(Precision::binary64), 0.52, 0.02);
+}
+
+TEST(Motion, RoundsToItsPrecision) {
+    test::SerialBlock block;
+    const Network network = block.network();
+    const UnionTable unions{network};
+    for (const Precision precision : test::both_precisions) {
+        Motion motion{unions.lattice(), false, precision};
+        const Slot s = unions.advanced().front();
+        motion.open(s);
+        const Vec3 value{1.0 / 3, -1e-30 / 3, 1e10 / 3};
+        motion.set(s, Quantity::increment, value);
+        EXPECT_EQ(motion.get(s, Quantity::increment), motion.rounded(value));
+        EXPECT_EQ(motion.rounded(value) == value, precision == Precision::binary64);
+        EXPECT_NEAR(motion.rounded(value.x) / value.x, 1, test::allowed(1e-15, precision));
+    }
+}
+
 TEST(Motion, TakesABlockWithTheFirstUnionOfAPlaneInAGroup) {
     test::SerialBlock block;
     block.cells = {64, 4, 4};
     const Network network = block.network();
     const UnionTable unions{network};
-    Motion motion{unions.lattice(), false};
+    Motion motion{unions.lattice(), false, Precision::binary64};
     const VertexSite v = unions.lattice().vertex(LocalMass{8 * 30});
     const std::size_t group = v.index() / Lattice::lanes;
     EXPECT_EQ(motion.planes_in_use()[group], 0U);
@@ -66,7 +100,7 @@ TEST(Motion, KeepsWhatItHoldsWhileBlocksAreAdded) {
     block.cells = {40, 5, 5};
     const Network network = block.network();
     const UnionTable unions{network};
-    Motion motion{unions.lattice(), false};
+    Motion motion{unions.lattice(), false, Precision::binary64};
     const auto value = [](Slot s) { return Vec3{1.0 * s.value(), 2.0 * s.value(), 3.0 * s.value()}; };
     // In an order that is not that of the places.
     const std::vector<Slot> slots = unions.advanced();
@@ -90,13 +124,13 @@ TEST(Motion, ClearsForcesAndNothingElse) {
     test::SerialBlock block;
     const Network network = block.network();
     const UnionTable unions{network};
-    Motion motion{unions.lattice(), false};
+    Motion motion{unions.lattice(), false, Precision::binary64};
     const VertexSite v = vertex_of(unions.advanced().front());
     for (const Slot s : {slot_of(v, base_plane), slot_of(v, 1)}) {
         motion.open(s);
         motion.set(s, Quantity::increment, {1, 2, 3});
         motion.set(s, Quantity::force, {4, 5, 6});
-        motion.mobility(s) = 7;
+        motion.set_mobility(s, 7);
     }
     motion.clear_forces();
     for (const Slot s : {slot_of(v, base_plane), slot_of(v, 1)}) {
@@ -106,16 +140,26 @@ TEST(Motion, ClearsForcesAndNothingElse) {
     }
 }
 
-TEST(Motion, LiesOnWholeCacheLines) {
+template <class Real>
+void expect_aligned_vectors(Precision precision) {
     test::SerialBlock block;
     const Network network = block.network();
     const UnionTable unions{network};
-    Motion motion{unions.lattice(), true};
-    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(motion.base()) % 64, 0U);
-    EXPECT_EQ(motion.base_stride() % 8, 0U);
+    Motion motion{unions.lattice(), true, precision};
+    constexpr std::uintptr_t vector_bytes = Lattice::lanes * sizeof(Real);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(motion.in<Real>().base()) % vector_bytes, 0U);
+    EXPECT_EQ(motion.base_stride() % Lattice::lanes, 0U);
     const VertexSite v = vertex_of(unions.advanced().front());
-    motion.open(slot_of(v, 3));
-    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(motion.block(v.index() / Lattice::lanes, 3)) % 64, 0U);
+    for (const int plane : {3, 2}) {
+        motion.open(slot_of(v, plane));
+        const auto* first = motion.block<Real>(v.index() / Lattice::lanes, plane);
+        EXPECT_EQ(reinterpret_cast<std::uintptr_t>(first) % vector_bytes, 0U);
+    }
+}
+
+TEST(Motion, LiesOnWholeVectors) {
+    expect_aligned_vectors<double>(Precision::binary64);
+    expect_aligned_vectors<float>(Precision::binary32);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "physics/force_sweep.hpp"
+#include "support/precisions.hpp"
 #include "support/random_state.hpp"
 #include "support/serial_network.hpp"
 
@@ -21,7 +22,7 @@ TEST(Prefilter, FindsWhatAllSensorsFindInRandomStates) {
         const double size = std::pow(10.0, -1.0 - static_cast<double>(seed % 12));
         block.thresholds.field = [size](Vec3) { return 1.2 * size; };
         const Network network = block.network();
-        State state{network, Scheme::cordis, 0.3};
+        State state{network, Scheme::cordis, 0.3, seed % 3 == 0 ? Precision::binary32 : Precision::binary64};
         test::shake(state, size, seed);
         accumulate_forces(network, state, Measure::nothing);
         const auto with = sense(network, state, Prefilter::on);
@@ -42,12 +43,14 @@ TEST(Prefilter, MissesNothingAtThresholdsOneUlpAway) {
         block.cells = {6, 2, 2};
         block.thresholds.field = [threshold](Vec3) { return threshold; };
         const Network network = block.network();
-        State state{network, Scheme::cordis, 0.3};
-        for (const Slot s : state.unions.advanced()) {
-            state.set_displacement(s, {stretch * network.rest_position(state.unions.smallest_mass(s)).x, 0, 0});
+        for (const Precision precision : test::both_precisions) {
+            State state{network, Scheme::cordis, 0.3, precision};
+            for (const Slot s : state.unions.advanced()) {
+                state.set_displacement(s, {stretch * network.rest_position(state.unions.smallest_mass(s)).x, 0, 0});
+            }
+            accumulate_forces(network, state, Measure::nothing);
+            EXPECT_EQ(sense(network, state, Prefilter::on), sense(network, state, Prefilter::off)) << ulps << " ulps";
         }
-        accumulate_forces(network, state, Measure::nothing);
-        EXPECT_EQ(sense(network, state, Prefilter::on), sense(network, state, Prefilter::off)) << ulps << " ulps";
     }
 }
 

@@ -77,6 +77,7 @@ TEST(ReadScene, FillsInDefaults) {
     EXPECT_EQ(scene.time.end, 1);
     EXPECT_FALSE(scene.time.step.has_value());
     EXPECT_EQ(scene.time.scheme, physics::Scheme::cordis);
+    EXPECT_EQ(scene.time.precision, physics::Precision::binary64);
     EXPECT_FALSE(scene.time.allow_unstable);
     EXPECT_EQ(scene.coat_rate, 50);
     EXPECT_EQ(scene.output.rate, 50);
@@ -98,7 +99,7 @@ TEST(ReadScene, TakesEveryKey) {
         "supports:\n"
         "  - {name: left, where: {box: [[-.inf, -1, -1], [1.05, 1, .inf]]}, velocity: [0, null, sin(t)]}\n"
         "  - {where: {box: [[1.1, -2, 0], [2, 2, 2]]}, velocity: [null, null, 1]}\n"
-        "time: {end: 2, step: 1e-3, scheme: ab2, allow_unstable: true}\n"
+        "time: {end: 2, step: 1e-3, scheme: ab2, precision: single, allow_unstable: true}\n"
         "coat: {rate: 10}\n"
         "output: {rate: 0, surface: false, crack: false, masses: true, topology: true}\n"
         "history: {rate: 0}\n"
@@ -130,6 +131,7 @@ TEST(ReadScene, TakesEveryKey) {
     EXPECT_EQ(scene.supports[1].name, "support 1");
     EXPECT_EQ(scene.time.step, 1e-3);
     EXPECT_EQ(scene.time.scheme, physics::Scheme::ab2);
+    EXPECT_EQ(scene.time.precision, physics::Precision::binary32);
     EXPECT_TRUE(scene.time.allow_unstable);
     EXPECT_EQ(scene.coat_rate, 10);
     EXPECT_EQ(scene.output.rate, 0);

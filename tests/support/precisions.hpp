@@ -1,0 +1,19 @@
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "physics/motion.hpp"
+
+namespace cracksim::test {
+
+inline constexpr std::array both_precisions{physics::Precision::binary64, physics::Precision::binary32};
+
+/// An error that is allowed in double, and as many roundings in single precision.
+[[nodiscard]] constexpr double allowed(double in_double, physics::Precision precision) {
+    constexpr double ratio =
+        static_cast<double>(std::numeric_limits<float>::epsilon()) / std::numeric_limits<double>::epsilon();
+    return precision == physics::Precision::binary32 ? ratio * in_double : in_double;
+}
+
+}  // namespace cracksim::test
