@@ -236,11 +236,12 @@ HWY_INLINE Stretched<Real> StretchOf(const SweepView<Real>& v, const From& from)
                       Sub(from.template VelocityIncrement<b>(), from.template VelocityIncrement<a>()));
 }
 
-/// Calls action(I) for the interactions that are carried, I being a constant.
+/// Calls action(I) for the interactions that are carried, I being a constant. Lambdas left out of line would pass all vectors through
+/// memory.
 template <class Action>
 HWY_INLINE void ForEachCarried(unsigned carried, Action&& action) {
-    const auto call_all = [&]<std::size_t... I>(std::index_sequence<I...>) {
-        const auto call = [&](auto i) {
+    const auto call_all = [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
+        const auto call = [&](auto i) __attribute__((always_inline)) {
             if ((carried >> i & 1U) != 0) {
                 action(i);
             }
@@ -259,17 +260,20 @@ HWY_INLINE void AddCarried(const SweepView<Real>& v, unsigned carried, const Fro
     outcome = Nothing<Real>();
     Stretched<Real> stretched[HexahedronPairs::count];
     V<Real> factor[HexahedronPairs::count];
-    ForEachCarried(carried, [&](auto i) { stretched[i] = StretchOf<i>(v, from); });
-    ForEachCarried(carried, [&](auto i) {
-        factor[i] =
-            Factor<i, false, kFar, kMeasure>(v.interaction[i], stretched[i], Weight<Real>(weights, i), limits, outcome);
-    });
-    ForEachCarried(carried, [&](auto i) {
-        V3<Real>& first = forces.f[HexahedronPairs::corners[i][0]];
-        V3<Real>& second = forces.f[HexahedronPairs::corners[i][1]];
-        first = Plus(factor[i], stretched[i].distance, first);
-        second = Minus(factor[i], stretched[i].distance, second);
-    });
+    ForEachCarried(
+        carried, [&](auto i) __attribute__((always_inline)) { stretched[i] = StretchOf<i>(v, from); });
+    ForEachCarried(
+        carried, [&](auto i) __attribute__((always_inline)) {
+            factor[i] = Factor<i, false, kFar, kMeasure>(v.interaction[i], stretched[i], Weight<Real>(weights, i),
+                                                         limits, outcome);
+        });
+    ForEachCarried(
+        carried, [&](auto i) __attribute__((always_inline)) {
+            V3<Real>& first = forces.f[HexahedronPairs::corners[i][0]];
+            V3<Real>& second = forces.f[HexahedronPairs::corners[i][1]];
+            first = Plus(factor[i], stretched[i].distance, first);
+            second = Minus(factor[i], stretched[i].distance, second);
+        });
 }
 
 /// In case of large stretches, the same with what holds everywhere.
@@ -280,7 +284,7 @@ HWY_NOINLINE void AddFar(const SweepView<Real>& v, unsigned carried, const From&
 }
 
 /// The lower and the upper corner along x on each side of an entity.
-constexpr std::array<std::array<int, 2>, Lattice::sides> corners_of_side{{{0, 1}, {3, 2}, {4, 5}, {7, 6}}};
+constexpr std::array<std::array<std::size_t, 2>, Lattice::sides> corners_of_side{{{0, 1}, {3, 2}, {4, 5}, {7, 6}}};
 
 }  // namespace cracksim::physics::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

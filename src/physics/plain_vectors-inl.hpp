@@ -49,6 +49,14 @@ private:
     }
 };
 
+/// The corners of the entities of a run from the place `at` on.
+template <class Real>
+HWY_INLINE PlainCorners<Real> PlainCornersAt(const SweepView<Real>& v, const RowRun<Real>& run, std::size_t at) {
+    return {{run.side[0] + at, run.side[1] + at, run.side[2] + at, run.side[3] + at},
+            v.base_stride,
+            v.velocity_quantity * v.base_stride};
+}
+
 template <std::size_t... I>
 constexpr unsigned mask_of(std::index_sequence<I...>) {
     return ((1U << I) | ...);
@@ -98,14 +106,11 @@ HWY_INLINE void AddAllPlain(const SweepView<Real>& v, const PlainCorners<Real>& 
 template <class List, bool kFull, bool kMeasure, class Real>
 HWY_NOINLINE void SweepPlain(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at, std::size_t end,
                              RowSums<Real>& sums) {
-    const std::size_t stride = v.base_stride;
     for (; at < end; at += vector_lanes<Real>) {
         const std::size_t site = row.first_site + at;
         const std::uint8_t* weights = WeightsOf(v, site);
         const float* limits = LimitsOf(v, site);
-        const PlainCorners<Real> x{{run.side[0] + at, run.side[1] + at, run.side[2] + at, run.side[3] + at},
-                                   stride,
-                                   v.velocity_quantity * stride};
+        const PlainCorners<Real> x = PlainCornersAt(v, run, at);
         Forces<Real> forces;
         Outcome<Real> outcome = Nothing<Real>();
         AddAllPlain<kFull, kMeasure>(v, x, weights, limits, forces, outcome, List{});

@@ -81,56 +81,66 @@ struct HandedOn {
     V3<Real> side[Lattice::sides];
 };
 
-template <std::size_t kSide, class Real>
-HWY_INLINE void AddSide(const Forces<Real>& forces, Real* force, std::size_t stride, HandedOn<Real>& before) {
-    constexpr auto low = static_cast<std::size_t>(corners_of_side[kSide][0]);
-    constexpr auto high = static_cast<std::size_t>(corners_of_side[kSide][1]);
-    const V3<Real> sum = Load3(force, stride);
-    const V3<Real> upper{Shifted<Real>(forces.f[high].x, before.side[kSide].x),
-                         Shifted<Real>(forces.f[high].y, before.side[kSide].y),
-                         Shifted<Real>(forces.f[high].z, before.side[kSide].z)};
-    const V3<Real>& lower = forces.f[low];
-    Store3({hn::Add(hn::Add(sum.x, upper.x), lower.x), hn::Add(hn::Add(sum.y, upper.y), lower.y),
-            hn::Add(hn::Add(sum.z, upper.z), lower.z)},
-           force, stride);
-}
-
 /// How far the sweep of a row is.
 template <class Real>
 struct RowRun {
     Real* side[Lattice::sides];  ///< where the lower corners of the row's first entity are in the base plane
     HandedOn<Real> before;
+    bool has_before[Lattice::sides];  ///< false: nothing was handed on, and `before` is zero
 };
 
 template <class Real>
 HWY_INLINE RowRun<Real> BeginRun(const SweepView<Real>& v, const RowView& row) {
-    RowRun<Real> run{{}, {{Zero3<Real>(), Zero3<Real>(), Zero3<Real>(), Zero3<Real>()}}};
+    RowRun<Real> run{{}, {{Zero3<Real>(), Zero3<Real>(), Zero3<Real>(), Zero3<Real>()}}, {}};
     for (std::size_t side = 0; side < Lattice::sides; ++side) {
         run.side[side] = v.base + row.vertex[side];
     }
     return run;
 }
 
-/// The forces of the entities from the place `at` on, and what those before them handed on, to the base plane.
+/// The forces of the entities from the place `at` on, and what those before them handed on, to a side in the base plane.
+template <std::size_t kSide, class Real>
+HWY_INLINE void AddSide(const SweepView<Real>& v, const Forces<Real>& forces, RowRun<Real>& run, std::size_t at) {
+    constexpr auto low = corners_of_side[kSide][0];
+    constexpr auto high = corners_of_side[kSide][1];
+    Real* force = run.side[kSide] + Quantity::force * v.base_stride + at;
+    V3<Real>& before = run.before.side[kSide];
+    const V3<Real> sum = Load3(force, v.base_stride);
+    const V3<Real> upper{Shifted<Real>(forces.f[high].x, before.x), Shifted<Real>(forces.f[high].y, before.y),
+                         Shifted<Real>(forces.f[high].z, before.z)};
+    Store3(Add(Add(sum, upper), forces.f[low]), force, v.base_stride);
+    run.has_before[kSide] = true;
+}
+
 template <class Real>
 HWY_INLINE void AddSides(const SweepView<Real>& v, const Forces<Real>& forces, RowRun<Real>& run, std::size_t at) {
-    const std::size_t force = Quantity::force * v.base_stride + at;
-    AddSide<0>(forces, run.side[0] + force, v.base_stride, run.before);
-    AddSide<1>(forces, run.side[1] + force, v.base_stride, run.before);
-    AddSide<2>(forces, run.side[2] + force, v.base_stride, run.before);
-    AddSide<3>(forces, run.side[3] + force, v.base_stride, run.before);
+    AddSide<0>(v, forces, run, at);
+    AddSide<1>(v, forces, run, at);
+    AddSide<2>(v, forces, run, at);
+    AddSide<3>(v, forces, run, at);
 }
 
 /// What was handed on goes to the vertices at the place `at`.
+template <std::size_t kSide, class Real>
+HWY_INLINE void Deliver(const SweepView<Real>& v, RowRun<Real>& run, std::size_t at) {
+    if (!run.has_before[kSide]) {
+        return;
+    }
+    Real* force = run.side[kSide] + Quantity::force * v.base_stride + at;
+    V3<Real>& before = run.before.side[kSide];
+    force[0] += hn::GetLane(before.x);
+    force[v.base_stride] += hn::GetLane(before.y);
+    force[2 * v.base_stride] += hn::GetLane(before.z);
+    before = Zero3<Real>();
+    run.has_before[kSide] = false;
+}
+
 template <class Real>
 HWY_INLINE void Deliver(const SweepView<Real>& v, RowRun<Real>& run, std::size_t at) {
-    for (std::size_t side = 0; side < Lattice::sides; ++side) {
-        Real* force = run.side[side] + Quantity::force * v.base_stride + at;
-        force[0] += hn::GetLane(run.before.side[side].x);
-        force[v.base_stride] += hn::GetLane(run.before.side[side].y);
-        force[2 * v.base_stride] += hn::GetLane(run.before.side[side].z);
-        run.before.side[side] = Zero3<Real>();
-    }
+    Deliver<0>(v, run, at);
+    Deliver<1>(v, run, at);
+    Deliver<2>(v, run, at);
+    Deliver<3>(v, run, at);
 }
 
 }  // namespace cracksim::physics::HWY_NAMESPACE

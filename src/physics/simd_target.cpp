@@ -14,6 +14,15 @@ std::int64_t target_in_use() {
 
 }  // namespace
 
+std::vector<SimdTarget> simd_targets() {
+    std::vector<SimdTarget> targets;
+    for (std::int64_t left = HWY_TARGETS; left != 0; left &= left - 1) {
+        const std::int64_t target = left & -left;
+        targets.push_back({hwy::TargetName(target), -target});
+    }
+    return targets;
+}
+
 std::int64_t best_simd_target() { return -target_in_use(); }
 
 void limit_simd_target(std::int64_t target) { hwy::DisableTargets(-target - 1); }

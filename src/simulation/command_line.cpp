@@ -9,6 +9,7 @@
 #include "core/errors.hpp"
 #include "io/nearest.hpp"
 #include "io/provenance.hpp"
+#include "physics/simd_target.hpp"
 
 namespace cracksim::simulation {
 
@@ -19,8 +20,8 @@ constexpr const char* footer =
     "Exit codes: 0 finished, 2 wrong command line or input, 3 the run became invalid, 1 anything else.\n"
     "inputs/README.md lists every key of an input.\n";
 
-constexpr std::array<std::string_view, 8> options{"--out",   "--set",      "--dry-run", "--audit",
-                                                  "--quiet", "--progress", "--version", "--help"};
+constexpr std::array<std::string_view, 9> options{"--out",      "--set",  "--dry-run", "--audit", "--quiet",
+                                                  "--progress", "--simd", "--version", "--help"};
 constexpr std::array<std::string_view, 3> later{"--restart", "--wall-time", "--petsc"};
 
 std::string_view name_part(std::string_view argument) { return argument.substr(0, argument.find('=')); }
@@ -42,10 +43,11 @@ struct Valued {
     const char* hint;
     bool repeats;
 };
-constexpr std::array<Valued, 3> valued{
+constexpr std::array<Valued, 4> valued{
     {{"--out", "the name of a directory", "one whose name begins with - is written ./-name", false},
      {"--set", "key.path=value", "time.end=0.5 sets the end to 0.5 s", true},
-     {"--progress", "plain or live", "plain is a line now and then, live one line that is redrawn", false}}};
+     {"--progress", "plain or live", "plain is a line now and then, live one line that is redrawn", false},
+     {"--simd", "the name of a SIMD target", "AVX2 gives the bits of a machine that has AVX2", false}}};
 
 /// CLI11 takes whatever follows, be it the next option, for the value.
 void check_value(const Valued& option, std::string_view argument, std::optional<std::string_view> next) {
@@ -92,7 +94,7 @@ void refuse_unknown(const std::vector<std::string>& arguments) {
     throw InputError{first + ": there is one INPUT.yaml a run; to change a value use --set key.path=value"};
 }
 
-void declare(CLI::App& app, CommandLine& command, std::string& progress) {
+void declare(CLI::App& app, CommandLine& command, std::string& progress, std::string& simd) {
     app.set_help_flag("-h,--help", "Print this and exit");
     app.add_option("INPUT.yaml", command.input, "The scene");
     app.add_option("--out", command.out, "Directory for the run's files")->type_name("DIR");
@@ -104,6 +106,8 @@ void declare(CLI::App& app, CommandLine& command, std::string& progress) {
     app.add_flag("--quiet", command.quiet, "Print warnings and errors only");
     app.add_option("--progress", progress, "plain: a line now and then; live: one line, redrawn")
         ->type_name("plain|live");
+    app.add_option("--simd", simd, "Use no better vector instructions than these, for the bits of another machine")
+        ->type_name("TARGET");
     app.footer(footer);
 }
 
@@ -113,6 +117,18 @@ ProgressStyle progress_style(const std::string& name) {
         throw InputError{"--progress: does not know '" + name + "'; " + io::suggestion(name, styles, "take one of")};
     }
     return name == "live" ? ProgressStyle::live : ProgressStyle::plain;
+}
+
+std::int64_t simd_target(const std::string& name) {
+    std::vector<std::string_view> names;
+    const std::vector<physics::SimdTarget> targets = physics::simd_targets();
+    for (const physics::SimdTarget& target : targets) {
+        if (target.name == name) {
+            return target.number;
+        }
+        names.push_back(target.name);
+    }
+    throw InputError{"--simd: does not know '" + name + "'; " + io::suggestion(name, names, "take one of")};
 }
 
 }  // namespace
@@ -126,9 +142,10 @@ std::variant<CommandLine, Answer> parse(int argc, const char* const* argv) {
     check_options(argc, argv);
     CommandLine command;
     std::string progress = "plain";
+    std::string simd;
     bool version = false;
     CLI::App app{"cracksim computes how a block of slightly deformable matter cracks, tears and breaks.", "cracksim"};
-    declare(app, command, progress);
+    declare(app, command, progress, simd);
     app.add_flag("--version", version, "Print the version and exit");
     app.allow_extras();
     try {
@@ -146,6 +163,9 @@ std::variant<CommandLine, Answer> parse(int argc, const char* const* argv) {
         throw InputError{"no input is named; say cracksim INPUT.yaml, such as cracksim inputs/block.yaml"};
     }
     command.progress = progress_style(progress);
+    if (!simd.empty()) {
+        command.simd_target = simd_target(simd);
+    }
     return command;
 }
 

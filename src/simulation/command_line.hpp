@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@ struct CommandLine {
     bool audit{false};
     bool quiet{false};
     ProgressStyle progress{ProgressStyle::plain};
+    std::optional<std::int64_t> simd_target;  ///< no better one is used (physics/simd_target.hpp)
 
     /// Where the run's files go: `out`, or <input stem>.out in the current directory.
     [[nodiscard]] std::filesystem::path directory() const;

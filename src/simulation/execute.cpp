@@ -150,7 +150,8 @@ int run_with_files(const partition::Communicator& comm, Simulation& simulation, 
 
 /// Returns the exit code.
 int follow(const partition::Communicator& comm, const CommandLine& command, io::Log& log) {
-    physics::limit_simd_target(comm.min(physics::best_simd_target()));
+    const std::int64_t best = physics::best_simd_target();
+    physics::limit_simd_target(comm.min(std::min(best, command.simd_target.value_or(best))));
     Stopwatch stopwatch;
     const Machine machine = look_around(comm);
     const io::RunDirectory directory{command.directory()};

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The hashes of the large scenes on 1, 2, 3, 4 and 7 ranks, METIS and slab, with and without --audit, in both builds.
+# The hashes of the large scenes on 1, 2, 3, 4 and 7 ranks, METIS and slab, with and without --audit, in both builds, in both
+# precisions, with and without AVX.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source=jobs/environment.sh
@@ -10,19 +11,20 @@ export LSAN_OPTIONS=suppressions=$PWD/tests/support/lsan.supp:print_suppressions
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 declare -A expected
+label=""
 failed=0
 jobs/build.sh release cracksim >/dev/null
 jobs/build.sh sanitize cracksim >/dev/null
 
-# compare SCENE BINARY RANKS OPTIONS...
+# compare SCENE BINARY RANKS OPTIONS...; runs with the same LABEL must agree
 compare() {
     local scene=$1 binary=$2 ranks=$3 found outcome=equal
     shift 3
     mpirun -n "$ranks" "$binary" "inputs/$scene.yaml" --out "$work/run" --quiet --set output.surface=false \
         --set output.crack=false --set output.masses=false --set output.topology=false "$@"
     found=$(python3 -c 'import json, sys; s = json.load(open(sys.argv[1])); print(s["event_hash"], s["state_hash"], s["events"]["splits"], "splits")' "$work/run/summary.json")
-    expected[$scene]=${expected[$scene]:-$found}
-    [[ $found == "${expected[$scene]}" ]] || { outcome=DIFFERENT; failed=1; }
+    expected[$scene$label]=${expected[$scene$label]:-$found}
+    [[ $found == "${expected[$scene$label]}" ]] || { outcome=DIFFERENT; failed=1; }
     echo "$scene $outcome: $found  $ranks ranks, $binary, $*"
 }
 
@@ -40,4 +42,14 @@ for scene in block_b tear; do
     compare "$scene" build/release/cracksim 2 --set sensors.prefilter=false
 done
 compare block build/sanitize/cracksim 2
+label=", single"
+for ranks in 1 2 3 4 7; do
+    for scene in block block_b tear; do
+        compare "$scene" build/release/cracksim "$ranks" --set time.precision=single
+    done
+done
+label=", SSE2"
+for ranks in 1 2 7; do
+    compare block build/release/cracksim "$ranks" --simd SSE2
+done
 exit "$failed"

@@ -91,6 +91,20 @@ def single_precision(workplace, quick):
                 "sensors.prefilter=false")
 
 
+def every_simd_target(workplace, quick):
+    """Older instructions round otherwise; ranks and partitions still make no difference."""
+    for precision in ("double", "single"):
+        scene = cracking_scene(time={"end": 0.06, "precision": precision})
+        for target in ("SSE2", "AVX2"):
+            directory = workplace.finished(scene, "--simd", target)
+            check(summary(directory)["provenance"]["simd_target"] == target or target != "SSE2",
+                  f"--simd {target} is not what the summary names")
+            expected = hashes(directory)
+            for ranks in (3,) if quick else (2, 3, 7):
+                compare(workplace, scene, expected, f"{target}, {precision}", "--audit", "--simd", target, "--set",
+                        "partition.kind=random", ranks=ranks)
+
+
 def ranks_without_an_entity(workplace, quick):
     scene = cracking_scene(block={"entity": "hexahedron", "cells": [3, 1, 1], "edge": 0.01, "origin": [0, 0, 0]},
                            initial={"velocity": ["100*(x-0.015)", 0, 0]})
@@ -182,7 +196,7 @@ def release_and_second_build_agree(workplace, quick):
 
 
 TESTS = [any_ranks_and_partition, hashes_tell_runs_apart, any_rates, prefilter_on_and_off, scheme_ab2_with_supports,
-         single_precision, boxes_of_a_network, tree_of_duplets, ranks_without_an_entity, random_scenes,
+         single_precision, every_simd_target, boxes_of_a_network, tree_of_duplets, ranks_without_an_entity, random_scenes,
          frames_do_not_depend_on_ranks]
 if __name__ == "__main__":
     if "CRACKSIM_SECOND_BINARY" in os.environ:

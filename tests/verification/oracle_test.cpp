@@ -1,5 +1,5 @@
 // Random scenes, computed by cracksim from their text and by the oracle from their meaning.
-// CRACKSIM_SCENES: how many; CRACKSIM_SEED: the first seed, each scene takes the next.
+// CRACKSIM_SIMD: a SIMD target that is not exceeded. CRACKSIM_SCENES: how many; CRACKSIM_SEED: the first seed, each scene takes the next.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <string>
 
 #include "core/errors.hpp"
+#include "physics/simd_target.hpp"
 #include "support/drawn_scene.hpp"
 #include "support/gathered_run.hpp"
 #include "support/oracle_comparison.hpp"
@@ -30,6 +31,17 @@ const partition::Communicator& world() {
 std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
     const char* value = std::getenv(name);
     return std::stoull(world().broadcast(value == nullptr ? std::to_string(otherwise) : value));
+}
+
+/// The vector instructions that CRACKSIM_SIMD allows on the root.
+void limit_instructions() {
+    const char* value = std::getenv("CRACKSIM_SIMD");
+    const std::string named = world().broadcast(value == nullptr ? std::string{} : value);
+    for (const physics::SimdTarget& target : physics::simd_targets()) {
+        if (target.name == named) {
+            physics::limit_simd_target(world().min(std::min(target.number, physics::best_simd_target())));
+        }
+    }
 }
 
 /// What a campaign has seen.
@@ -109,9 +121,11 @@ bool scene_agrees(std::uint64_t seed, Tally& tally) {
 TEST(Oracle, AgreesWithCracksimOnRandomScenes) {
     const std::uint64_t first = from_environment("CRACKSIM_SEED", std::random_device{}());
     const std::uint64_t count = from_environment("CRACKSIM_SCENES", whole_campaign);
+    limit_instructions();
     Tally tally;
     if (world().is_root()) {
-        std::cout << count << " scenes from CRACKSIM_SEED=" << first << std::endl;
+        std::cout << count << " scenes from CRACKSIM_SEED=" << first << ", SIMD " << physics::simd_target_name()
+                  << std::endl;
     }
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
         if (!scene_agrees(seed, tally)) {

@@ -49,7 +49,7 @@ TEST(CommandLine, AnswersHelpAndVersion) {
         const auto answer = std::get<Answer>(parsed({flag}));
         EXPECT_EQ(answer.exit_code, 0);
         for (const char* option :
-             {"INPUT.yaml", "--out", "--set", "--dry-run", "--audit", "--quiet", "--progress", "--version", "--help"}) {
+             {"INPUT.yaml", "--out", "--set", "--dry-run", "--audit", "--quiet", "--progress", "--simd", "--version", "--help"}) {
             EXPECT_NE(answer.text.find(option), std::string::npos) << option;
         }
     }
