@@ -162,36 +162,72 @@ Breakdown find_breakdown(const Network& network, const State& state) {
     return found;
 }
 
-/// Advances the rows of vertices one by one.
+constexpr unsigned bit_of(int plane) { return 1U << static_cast<unsigned>(plane); }
+
+/// The planes whose unions' smallest masses are corners on a side.
+constexpr std::array<unsigned, Lattice::sides> planes_by_side = [] {
+    std::array<unsigned, Lattice::sides> found{};
+    for (int plane = 0; plane < planes; ++plane) {
+        found[Lattice::side(plane)] |= bit_of(plane);
+    }
+    return found;
+}();
+
+/// Advances rows of vertices, each plane of a row just before the first row of entities that meets its unions: that of their smallest
+/// masses, or, where that is not local or the plane is the base, the first one that meets the vertices. So numbers come to the
+/// caches once for advance and forces.
 class Advancer {
 public:
     Advancer(const Network& network, State& state, std::span<const Vec3> received)
         : network_{&network}, state_{&state}, received_{received}, longest_{longest_increment(network)} {}
 
-    void advance_row(std::size_t row) {
-        remember(row);
-        if (state_->motion.precision() == Precision::binary32) {
-            advance_in<float>(row);
-        } else {
-            advance_in<double>(row);
+    /// What a row of entities meets first.
+    void advance_before(std::size_t cell_row) {
+        for (std::size_t side = 0; side < Lattice::sides; ++side) {
+            const std::int32_t row = state_->lattice().cell_rows()[cell_row].vertex_row[side];
+            if (const unsigned first = met_first(static_cast<std::size_t>(row), cell_row, side); first != 0) {
+                advance_planes_of(static_cast<std::size_t>(row), first);
+            }
         }
-        put_right(row);
     }
 
     /// Some increment made no sense.
     [[nodiscard]] bool broken() const { return broken_; }
 
 private:
+    /// The planes of a row of vertices to be advanced for a row of entities that has it on a side.
+    [[nodiscard]] unsigned met_first(std::size_t row, std::size_t cell_row, std::size_t side) const {
+        const Lattice::VertexRow& vertices = state_->lattice().vertex_rows()[row];
+        unsigned first = planes_by_side[side] & ~bit_of(base_plane);
+        if (static_cast<std::size_t>(vertices.first_cell_row()) == cell_row) {
+            first |= bit_of(base_plane);
+            for (std::size_t other = 0; other < Lattice::sides; ++other) {
+                first |= vertices.cell_row[other] < 0 ? planes_by_side[other] : 0U;
+            }
+        }
+        return first & (state_->motion.planes_in_row(row) | bit_of(base_plane));
+    }
+
+    void advance_planes_of(std::size_t row, unsigned met) {
+        remember(row, met);
+        if (state_->motion.precision() == Precision::binary32) {
+            advance_in<float>(row, met);
+        } else {
+            advance_in<double>(row, met);
+        }
+        put_right(row, met);
+    }
+
     template <class Real>
-    void advance_in(std::size_t row) {
+    void advance_in(std::size_t row, unsigned met) {
         const Lattice::VertexRow& vertices = state_->lattice().vertex_rows()[row];
         const auto first = static_cast<std::size_t>(vertices.first);
         const auto length = static_cast<std::size_t>(vertices.length);
         Motion& motion = state_->motion;
         AdvanceView<Real> view{motion.in<Real>().base() + first,
                                motion.base_stride(),
-                               length,
-                               find_blocks<Real>(first / Lattice::lanes, length / Lattice::lanes),
+                               (met & bit_of(base_plane)) != 0 ? length : 0,
+                               find_blocks<Real>(first / Lattice::lanes, length / Lattice::lanes, met),
                                state_->scheme == Scheme::ab2,
                                longest_,
                                broken_};
@@ -200,38 +236,49 @@ private:
     }
 
     template <class Real>
-    std::span<Real* const> find_blocks(std::size_t first_group, std::size_t groups) {
+    std::span<Real* const> find_blocks(std::size_t first_group, std::size_t groups, unsigned met) {
         auto& blocks = std::get<std::vector<Real*>>(blocks_);
         blocks.clear();
         for (std::size_t group = first_group; group < first_group + groups; ++group) {
-            for (unsigned bits = state_->motion.planes_in_use()[group]; bits != 0; bits &= bits - 1) {
+            for (unsigned bits = state_->motion.planes_in_use()[group] & met; bits != 0; bits &= bits - 1) {
                 blocks.push_back(state_->motion.block<Real>(group, std::countr_zero(bits)));
             }
         }
         return blocks;
     }
 
-    void remember(std::size_t row) {
-        before_.clear();
-        const auto keep = [&](Slot s) { before_.push_back({state_->displacement(s), state_->increment(s)}); };
+    /// Calls action(held union) or action(slot, increment) for what is not a row's own to decide, of some planes.
+    void for_each_held(std::size_t row, unsigned met, auto&& action) {
         for (const std::size_t i : state_->held_in_row[row]) {
-            keep(state_->held[i].slot);
+            if ((met & bit_of(plane_of(state_->held[i].slot))) != 0) {
+                action(state_->held[i].slot);
+            }
         }
+    }
+    void for_each_received(std::size_t row, unsigned met, auto&& action) {
         for (const std::size_t i : state_->received_in_row[row]) {
-            keep(state_->unions.slot(network_->received()[i]));
+            const Slot slot = state_->unions.slot(network_->received()[i]);
+            if ((met & bit_of(plane_of(slot))) != 0) {
+                action(slot, received_[i]);
+            }
         }
     }
 
-    void put_right(std::size_t row) {
+    void remember(std::size_t row, unsigned met) {
+        before_.clear();
+        const auto keep = [&](Slot s) { before_.push_back({state_->displacement(s), state_->increment(s)}); };
+        for_each_held(row, met, keep);
+        for_each_received(row, met, [&](Slot slot, Vec3) { keep(slot); });
+    }
+
+    void put_right(std::size_t row, unsigned met) {
         auto before = before_.begin();
-        for (const std::size_t i : state_->held_in_row[row]) {
-            const Slot slot = state_->held[i].slot;
+        for_each_held(row, met, [&](Slot slot) {
             put_held_right(*network_, *state_, slot, *before++);
             broken_ = broken_ || !makes_sense(state_->increment(slot), longest_);
-        }
-        for (const std::size_t i : state_->received_in_row[row]) {
-            put_received_right(*state_, state_->unions.slot(network_->received()[i]), *before++, received_[i]);
-        }
+        });
+        for_each_received(row, met,
+                          [&](Slot slot, Vec3 increment) { put_received_right(*state_, slot, *before++, increment); });
     }
 
     const Network* network_;
@@ -247,18 +294,10 @@ private:
 
 void advance(const Network& network, State& state, std::span<const Vec3> received, Measure measure) {
     CRACKSIM_EXPECT(received.size() == network.received().size());
-    const auto& rows = state.lattice().cell_rows();
     Advancer advancer{network, state, received};
     ForceSweep sweep{network, state, measure};
-    std::vector<bool> advanced(state.lattice().vertex_rows().size(), false);
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-        for (const std::int32_t vertex_row : rows[row].vertex_row) {
-            const auto index = static_cast<std::size_t>(vertex_row);
-            if (!advanced[index]) {
-                advancer.advance_row(index);
-                advanced[index] = true;
-            }
-        }
+    for (std::size_t row = 0; row < state.lattice().cell_rows().size(); ++row) {
+        advancer.advance_before(row);
         sweep.sweep_row(row);
     }
     if (advancer.broken() && !state.breakdown) {

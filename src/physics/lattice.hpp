@@ -37,6 +37,12 @@ public:
         std::int32_t length;
         std::array<std::int32_t, sides>
             cell_row;  ///< the row that has this one as its vertex_row[side]; -1: none is local
+
+        /// The first row of cells that meets this one.
+        [[nodiscard]] std::int32_t first_cell_row() const {
+            const std::int32_t lower = cell_row[3] >= 0 ? cell_row[3] : cell_row[2];
+            return lower >= 0 ? lower : cell_row[1] >= 0 ? cell_row[1] : cell_row[0];
+        }
     };
 
     /// entities: ascending.

@@ -48,7 +48,12 @@ Motion::Motion(const Lattice& lattice, bool extrapolates, Precision precision)
       base_stride_{stride_for(lattice.vertex_sites())},
       numbers_{numbers_in(precision, components_ * base_stride_, guard)},
       block_of_(lattice.vertex_sites() / lanes * planes, -1),
-      planes_in_use_(lattice.vertex_sites() / lanes, 0) {}
+      planes_in_use_(lattice.vertex_sites() / lanes, 0),
+      planes_in_row_(lattice.vertex_rows().size(), 0) {
+    for (std::size_t group = 0; group < planes_in_use_.size(); ++group) {
+        row_of_group_.push_back(lattice.vertex_row(VertexSite{static_cast<std::int32_t>(group * lanes)}));
+    }
+}
 
 void Motion::open(Slot s) {
     const std::size_t group = vertex_of(s).index() / lanes;
@@ -62,6 +67,7 @@ void Motion::open(Slot s) {
     }
     block_of_[entry(group, plane_of(s))] = static_cast<std::int32_t>(block_count_++);
     planes_in_use_[group] |= bit;
+    planes_in_row_[static_cast<std::size_t>(row_of_group_[group])] |= bit;
 }
 
 /// Half as many blocks again, and all of them in the order in which the sweep meets them.
@@ -130,7 +136,8 @@ void Motion::clear_forces() {
 
 std::size_t Motion::memory_bytes() const {
     return std::visit([](const auto& numbers) { return numbers.memory_bytes(); }, numbers_) +
-           block_of_.capacity() * sizeof(std::int32_t) + planes_in_use_.capacity();
+           (block_of_.capacity() + row_of_group_.capacity()) * sizeof(std::int32_t) + planes_in_use_.capacity() +
+           planes_in_row_.capacity();
 }
 
 }  // namespace cracksim::physics

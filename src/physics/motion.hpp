@@ -130,6 +130,8 @@ public:
     [[nodiscard]] const std::int32_t* block_of() const { return block_of_.data(); }
     /// [group of vertices]: bit p is set where plane p has a block.
     [[nodiscard]] const std::vector<std::uint8_t>& planes_in_use() const { return planes_in_use_; }
+    /// By vertex row: bit p is set where plane p has a block.
+    [[nodiscard]] unsigned planes_in_row(std::size_t row) const { return planes_in_row_[row]; }
     /// The first number of a block of a group of vertices.
     template <class Real>
     [[nodiscard]] Real* block(std::size_t group, int plane) {
@@ -173,6 +175,8 @@ private:
     std::size_t block_count_{0};
     std::vector<std::int32_t> block_of_;
     std::vector<std::uint8_t> planes_in_use_;
+    std::vector<std::int32_t> row_of_group_;
+    std::vector<std::uint8_t> planes_in_row_;
 };
 
 }  // namespace cracksim::physics
