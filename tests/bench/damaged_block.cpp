@@ -39,8 +39,9 @@ double step_of(const physics::Network& network, physics::Scheme scheme) {
 
 }  // namespace
 
-DamagedBlock::DamagedBlock(std::array<std::int64_t, 3> cells, physics::Scheme scheme, double share)
-    : network{network_of(cells)}, state{network, scheme, step_of(network, scheme)} {
+DamagedBlock::DamagedBlock(std::array<std::int64_t, 3> cells, physics::Scheme scheme, double share,
+                           physics::Precision precision)
+    : network{network_of(cells)}, state{network, scheme, step_of(network, scheme), precision} {
     constexpr double slow = 1e-6;
     shake(state, slow, 1);
     physics::SplitStream splits;

@@ -13,7 +13,8 @@ namespace cracksim::test {
 /// A block all on one rank, in slow motion, some of whose unions are split.
 struct DamagedBlock {
     /// share: of the unions that are split, at random, in two by a plane along the grid; 1: all, into single masses.
-    DamagedBlock(std::array<std::int64_t, 3> cells, physics::Scheme scheme, double share);
+    DamagedBlock(std::array<std::int64_t, 3> cells, physics::Scheme scheme, double share,
+                 physics::Precision precision = physics::Precision::binary64);
 
     physics::Network network;
     physics::State state;

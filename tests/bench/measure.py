@@ -67,10 +67,10 @@ class Workplace:
             raise SystemExit(f"{' '.join(full)} returned {done.returncode}\n{done.stdout}{done.stderr}")
         return done.stdout
 
-    def cracksim(self, binary, scene, ranks):
+    def cracksim(self, binary, scene, ranks, *settings):
         """summary.json of a run and its directory, which the next run replaces."""
         directory = self.path / "run"
-        self.cracksim_says(binary, scene, ranks, "--out", directory, "--quiet")
+        self.cracksim_says(binary, scene, ranks, "--out", directory, "--quiet", *settings)
         return json.loads((directory / "summary.json").read_text(encoding="utf-8")), directory
 
     def cracksim_says(self, binary, scene, ranks, *options):

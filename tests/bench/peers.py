@@ -7,7 +7,7 @@ import sys
 
 from lammps import Lammps, read_positions
 from lattice import Lattice
-from measure import ROOT, Spread, Workplace, alternate, intact_scene, on_ranks, print_row, ratio, step_milliseconds
+from measure import ROOT, STEP, Spread, Workplace, alternate, intact_scene, on_ranks, print_row, ratio, step_milliseconds
 
 sys.path.insert(0, str(ROOT / "tests"))
 from runs.runner import dataset, last_frame  # noqa: E402
@@ -86,10 +86,12 @@ def main():
     print(f"{options.lammps}: LAMMPS {peer.version()}", file=sys.stderr)
     newton = fastest_newton(peer, options.steps)
     damped = {"cracksim, damped, sensing": intact_scene(CELLS, options.steps)}
+    single = {"cracksim, damped, sensing, single": intact_scene(
+        CELLS, options.steps, time={"end": STEP * options.steps, "step": STEP, "precision": "single"})}
     undamped = {"cracksim, undamped, unbreakable": plain_scene(options.steps)}
     for ranks in (1, 2):
         compare(workplace, options, peer, ranks, f"harmonic + nve, newton {newton}", peer.harmonic(options.steps, newton),
-                undamped | damped)
+                undamped | damped | single)
     if not peer.has("bpm/spring"):
         print(f"{options.lammps} has no bpm/spring (the package BPM, since May 2022): no row of it", file=sys.stderr)
         return

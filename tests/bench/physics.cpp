@@ -19,6 +19,7 @@ namespace cracksim::test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using physics::Precision;
 using physics::Scheme;
 
 const MachineLimits& limits() {
@@ -29,12 +30,12 @@ const MachineLimits& limits() {
 /// Made when first asked for: a filter saves the time and the memory of the others.
 class LazyBlock {
 public:
-    LazyBlock(std::array<std::int64_t, 3> cells, Scheme scheme, double share)
-        : cells_{cells}, scheme_{scheme}, share_{share} {}
+    LazyBlock(std::array<std::int64_t, 3> cells, Scheme scheme, double share, Precision precision)
+        : cells_{cells}, scheme_{scheme}, share_{share}, precision_{precision} {}
 
     DamagedBlock& get() {
         if (!block_) {
-            block_.emplace(cells_, scheme_, share_);
+            block_.emplace(cells_, scheme_, share_, precision_);
         }
         return *block_;
     }
@@ -44,6 +45,7 @@ private:
     std::array<std::int64_t, 3> cells_;
     Scheme scheme_;
     double share_;
+    Precision precision_;
     std::optional<DamagedBlock> block_;
 };
 
@@ -70,7 +72,8 @@ void report_rates(benchmark::State& run, const DamagedBlock& block, double nanos
     const double gigaflops = flops_of_step(block) / nanoseconds_of_step;
     const double gigabytes = bytes_of_step(block) / nanoseconds_of_step;
     run.counters["gigaflops"] = gigaflops;
-    run.counters["of_peak"] = gigaflops / limits().double_gigaflops;
+    const bool single = block.state.motion.precision() == Precision::binary32;
+    run.counters["of_peak"] = gigaflops / (single ? limits().single_gigaflops : limits().double_gigaflops);
     run.counters["gigabytes"] = gigabytes;
     run.counters["of_triad"] = gigabytes / triad.gigabytes;
     run.SetLabel("ns/entity|" + triad.where);
@@ -151,13 +154,18 @@ void add(const std::string& name, const Subject& subject, Measurement measuremen
 }
 
 void add_block(std::array<std::int64_t, 3> cells) {
-    const auto block = [&](Scheme scheme, double share) { return std::make_shared<LazyBlock>(cells, scheme, share); };
+    const auto block = [&](Scheme scheme, double share, Precision precision = Precision::binary64) {
+        return std::make_shared<LazyBlock>(cells, scheme, share, precision);
+    };
     const Subject intact = block(Scheme::cordis, 0);
     add("step, intact", intact, measure_advance);
     add("step, intact, ab2", block(Scheme::ab2, 0), measure_advance);
     add("step, 10 % split", block(Scheme::cordis, 0.1), measure_advance);
     add("step, 40 % split", block(Scheme::cordis, 0.4), measure_advance);
     add("step, fully split", block(Scheme::cordis, 1), measure_advance);
+    add("step, single, intact", block(Scheme::cordis, 0, Precision::binary32), measure_advance);
+    add("step, single, 10 % split", block(Scheme::cordis, 0.1, Precision::binary32), measure_advance);
+    add("step, single, fully split", block(Scheme::cordis, 1, Precision::binary32), measure_advance);
     add("sense, calm", intact, [](auto& run, auto& subject) { measure_sensing(run, subject, false); });
     add("sense, 1 % of entities stretched", intact,
         [](auto& run, auto& subject) { measure_sensing(run, subject, true); });

@@ -22,6 +22,10 @@ def split_scene(cells, steps):
                         initial={"velocity": [f"{grow}x", f"{grow}y", f"{grow}z"]})
 
 
+def in_single(scene):
+    return {**scene, "time": {**scene["time"], "precision": "single"}}
+
+
 def steady_milliseconds(summary):
     """Of a block that fell apart at the first step: only what does not know of that split, forces and update."""
     return 1e3 * summary["seconds"]["force"] / summary["time"]["steps"]
@@ -33,6 +37,7 @@ class Case(NamedTuple):
     milliseconds: Callable = step_milliseconds
     rounds: int = 0  # 0: as many as asked for
     ranks: tuple = (1, 2)
+    settings: tuple = ()  # further arguments of cracksim
 
 
 def cases(quick):
@@ -41,7 +46,9 @@ def cases(quick):
         few = {"rounds": 1, "ranks": (2,)} if cells == TWENTY_MILLION else {}
         if not (quick and few):
             yield Case("intact", intact_scene(cells, count), **few)
+            yield Case("intact, single", in_single(intact_scene(cells, count)), **few)
             yield Case("fully split", split_scene(cells, max(2, count // 4)), steady_milliseconds, **few)
+            yield Case("fully split, single", in_single(split_scene(cells, max(2, count // 4))), steady_milliseconds, **few)
 
 
 def phases(seconds):
@@ -68,7 +75,7 @@ class Measurements:
         self.workplace = Workplace()
 
     def run(self, binary, case, ranks, summaries):
-        summary, _ = self.workplace.cracksim(binary, case.scene, ranks)
+        summary, _ = self.workplace.cracksim(binary, case.scene, ranks, *case.settings)
         summaries[ranks] = summary
         return case.milliseconds(summary)
 
@@ -122,24 +129,24 @@ class Measurements:
         if case.milliseconds is steady_milliseconds:
             print_row(group, f"{case.name}, the split itself on {on_ranks(ranks)}", [seconds["update"]] * 3, "s")
 
-    def measure_block(self):
-        """inputs/block.yaml as it is: it cracks, with the coat and files at 50 Hz. Physics and the whole from the same runs."""
+    def measure_block(self, name, *settings):
+        """inputs/block.yaml: it cracks, with the coat and files at 50 Hz. Physics and the whole from the same runs."""
         factors = {1: [], 2: []}
 
         def milliseconds(summary):
             factors[summary["provenance"]["ranks"]].append(summary["times_real_time"])
             return step_milliseconds(summary)
 
-        case = Case("physics", ROOT / "inputs" / "block.yaml", milliseconds)
+        case = Case(f"physics{name}", ROOT / "inputs" / "block.yaml", milliseconds, settings=settings)
         summaries = {}
         times = self.times(case, summaries)
         group = "program, inputs/block.yaml"
         self.print_times(group, case, times, summaries)
         own = {ranks: values[::2] if self.options.against and ranks == 1 else values for ranks, values in factors.items()}
         for ranks, values in own.items():
-            print_row(group, f"all, coat and files at 50 Hz, {on_ranks(ranks)}", Spread.of(values), "times real time",
+            print_row(group, f"all{name}, coat and files at 50 Hz, {on_ranks(ranks)}", Spread.of(values), "times real time",
                       phases(summaries[ranks]["seconds"]))
-        print_row(group, "all, gain of 2 ranks", ratio(own[2], own[1]), "times")
+        print_row(group, f"all{name}, gain of 2 ranks", ratio(own[2], own[1]), "times")
 
 
 def main():
@@ -151,7 +158,8 @@ def main():
     options = parser.parse_args()
     options.pairs = 1 if options.quick else options.pairs
     measurements = Measurements(options)
-    measurements.measure_block()
+    measurements.measure_block("")
+    measurements.measure_block(", single", "--set", "time.precision=single")
     for case in cases(options.quick):
         measurements.measure(case)
 

@@ -82,5 +82,22 @@ TEST(Lattice, PutsNeighboursAlongXOnNeighbouringPlacesWithAVoidOneAtTheEnd) {
     }
 }
 
+TEST(Lattice, KnowsWhichRowOfCellsMeetsARowOfVerticesFirst) {
+    const Block block{{5, 4, 3}, {1, 1, 1}, {0, 0, 0}};
+    for (const std::uint64_t one_in : {1U, 3U, 17U}) {
+        const Lattice lattice{block, some_of(block, one_in, 3)};
+        std::vector<std::int32_t> first(lattice.vertex_rows().size(), -1);
+        for (std::size_t row = 0; row < lattice.cell_rows().size(); ++row) {
+            for (const std::int32_t met : lattice.cell_rows()[row].vertex_row) {
+                std::int32_t& found = first[static_cast<std::size_t>(met)];
+                found = found < 0 ? static_cast<std::int32_t>(row) : found;
+            }
+        }
+        for (std::size_t row = 0; row < first.size(); ++row) {
+            EXPECT_EQ(lattice.vertex_rows()[row].first_cell_row(), first[row]);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace cracksim::physics
