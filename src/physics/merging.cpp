@@ -35,7 +35,9 @@ EdgeCopies edge_copies(const UnionTable& unions, VertexSite lower, int axis) {
 }
 
 Merging::Merging(const Network& network, const UnionTable& unions)
-    : weight_(unions.lattice().batches() * bytes_per_batch, 0), carried_(unions.lattice().halves(), 0) {
+    : weight_(unions.lattice().batches() * bytes_per_batch, 0),
+      carried_(unions.lattice().halves(), 0),
+      revision_(unions.lattice().vertex_sites(), 0) {
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
         weight_[place(unions, e, owned_row)] = network.owned(e) ? 1 : 0;
         for (int i = HexahedronPairs::edges; i < HexahedronPairs::count; ++i) {
@@ -107,6 +109,7 @@ void Merging::update(const UnionTable& unions, VertexSite v) {
             }
         }
     }
+    ++revision_[v.index()];
 }
 
 }  // namespace cracksim::physics

@@ -35,6 +35,9 @@ struct EdgeCopies {
 /// carries it, for all: its force is computed once and counted as often. Who carries what follows from the split state alone.
 class Merging {
 public:
+    /// Counts the updates at a vertex: at most twelve, as each takes one of its duplets.
+    using Revision = std::uint8_t;
+
     /// The rows of a batch's weights: its interactions, then 1 for the entities that this rank owns.
     static constexpr std::size_t rows = HexahedronPairs::count + 1;
     static constexpr std::size_t owned_row = HexahedronPairs::count;
@@ -48,6 +51,8 @@ public:
     }
     /// Brings the edges at a vertex up to date with the labels of its masses.
     void update(const UnionTable& unions, VertexSite v);
+    /// Rises with each update: what was looked up before at the edges of the vertex may be wrong.
+    [[nodiscard]] Revision revision(VertexSite v) const { return revision_[v.index()]; }
 
     /// [batch][row][lane]
     [[nodiscard]] const std::uint8_t* weights() const { return weight_.data(); }
@@ -57,7 +62,8 @@ public:
     static constexpr unsigned full = HexahedronPairs::count;
 
     [[nodiscard]] std::size_t memory_bytes() const {
-        return weight_.capacity() + carried_.capacity() * sizeof(std::uint32_t);
+        return weight_.capacity() + carried_.capacity() * sizeof(std::uint32_t) +
+               revision_.capacity() * sizeof(Revision);
     }
 
 private:
@@ -77,6 +83,7 @@ private:
 
     std::vector<std::uint8_t> weight_;
     std::vector<std::uint32_t> carried_;
+    std::vector<Revision> revision_;  ///< by vertex site
 };
 
 }  // namespace cracksim::physics

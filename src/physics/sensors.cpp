@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cracksim::physics {
 
@@ -57,17 +58,8 @@ double extension_limit(double lowest_threshold) {
     return length * length - 1;
 }
 
-/// The extension of an edge of e.
-double extension(const Network& network, const State& state, LocalEntity e, int edge) {
-    const auto [lower, upper] = HexahedronPairs::corners[static_cast<std::size_t>(edge)];
-    const Vec3 rest = network.model().rest[static_cast<std::size_t>(edge)];
-    const Vec3 du = state.displacement(state.unions.slot(local_mass(e, upper))) -
-                    state.displacement(state.unions.slot(local_mass(e, lower)));
-    return dot(2 * rest + du, du) / dot(rest, rest);
-}
-
-/// Calls action(duplet) for the active duplets whose sensors reach over an edge that e carries: at both ends of each of its merged
-/// copies, over the face that is normal to it.
+/// Calls action(duplet, end, entity) for the active duplets whose sensors reach over an edge that e carries: at the lower end (0), then
+/// at the upper one (1), of each of its merged copies, over the face that is normal to it.
 void for_each_sensor(const Network& network, const State& state, LocalEntity e, int edge, auto&& action) {
     if (state.merging.weight(state.unions, e, edge) == 0) {
         return;
@@ -77,14 +69,17 @@ void for_each_sensor(const Network& network, const State& state, LocalEntity e, 
     const int upper = HexahedronPairs::corners[static_cast<std::size_t>(edge)][1];
     const EdgeCopies copies = edge_copies(state.unions, state.lattice().vertex(local_mass(e, lower)), axis);
     const EdgeCopy here{e, edge, state.unions.label(local_mass(e, lower)), state.unions.label(local_mass(e, upper))};
-    for (std::size_t i = 0; i < copies.count; ++i) {
-        const EdgeCopy& copy = copies.copy[i];
-        for (std::size_t end = 0; end < 2 && EdgeCopies::merged(copy, here); ++end) {
+    for (std::size_t end = 0; end < 2; ++end) {
+        for (std::size_t i = 0; i < copies.count; ++i) {
+            const EdgeCopy& copy = copies.copy[i];
+            if (!EdgeCopies::merged(copy, here)) {
+                continue;
+            }
             const LocalMass m =
                 local_mass(copy.entity, HexahedronPairs::corners[static_cast<std::size_t>(copy.edge)][end]);
             const auto duplet = network.duplet_over(m, 2 * axis + static_cast<int>(end));
             if (duplet && state.sensing.is_active(*duplet)) {
-                action(*duplet);
+                action(*duplet, end, copy.entity);
             }
         }
     }
@@ -101,30 +96,37 @@ std::vector<LocalDuplet> sense_all(const Network& network, const State& state) {
     return found;
 }
 
-std::vector<LocalDuplet> sense_exceeded(const Network& network, const State& state) {
-    std::vector<LocalDuplet> found;
-    for (std::size_t batch = 0; batch < state.sensing.exceeded.size(); ++batch) {
-        const EdgeBits& exceeded = state.sensing.exceeded[batch];
-        if (!exceeded.any()) {
-            continue;
-        }
-        for (int edge = 0; edge < HexahedronPairs::edges; ++edge) {
+/// Calls action(site, edge) for the watched edges stretched beyond their limits, by batch, edge and lane.
+void for_each_stretched(const Sensing& sensing, auto&& action) {
+    for (std::size_t batch = 0; batch < sensing.exceeded.size(); ++batch) {
+        const EdgeBits& exceeded = sensing.exceeded[batch];
+        for (int edge = 0; exceeded.any() && edge < HexahedronPairs::edges; ++edge) {
             const auto i = static_cast<std::size_t>(edge);
-            for (unsigned bits = exceeded.lanes(i) & state.sensing.watched[batch].lanes(i); bits != 0;
-                 bits &= bits - 1) {
+            for (unsigned bits = exceeded.lanes(i) & sensing.watched[batch].lanes(i); bits != 0; bits &= bits - 1) {
                 const std::size_t site = batch * Lattice::lanes + static_cast<std::size_t>(std::countr_zero(bits));
-                const LocalEntity e = state.lattice().entity(Site{static_cast<std::int32_t>(site)});
-                const double x = extension(network, state, e, edge);
-                for_each_sensor(network, state, e, edge, [&](LocalDuplet d) {
-                    if (x > extension_limit(threshold(network, d)) && triggers(network, state, d)) {
-                        found.push_back(d);
-                    }
-                });
+                action(Site{static_cast<std::int32_t>(site)}, edge);
             }
         }
     }
-    sort_and_make_unique(found);
-    return found;
+}
+
+/// Of an edge; ascends in the order of for_each_stretched.
+std::int64_t place_of(Site site, int edge) {
+    const std::int64_t row = std::int64_t{site.value() / Lattice::lanes} * HexahedronPairs::edges + edge;
+    return row * Lattice::lanes + site.value() % Lattice::lanes;
+}
+
+std::int16_t revision(const State& state, const std::array<VertexSite, 2>& vertex) {
+    return static_cast<std::int16_t>(state.merging.revision(vertex[0]) + state.merging.revision(vertex[1]));
+}
+
+/// By axis, the rest vector between what a sensor watches: the edges under it are in line, and all entities have the same edges.
+std::array<Vec3, 3> upward_reaches(const EntityModel& model) {
+    std::array<Vec3, 3> reach;
+    for (std::size_t axis = 0; axis < reach.size(); ++axis) {
+        reach[axis] = 2 * model.rest[axis * HexahedronPairs::edges_per_axis];
+    }
+    return reach;
 }
 
 /// What the sweep's extension of an edge may err by, near any limit: |du| is at most about two edges there.
@@ -137,8 +139,67 @@ float rounded_down(double limit) {
 
 }  // namespace
 
-std::vector<LocalDuplet> sense(const Network& network, const State& state, Prefilter prefilter) {
-    return prefilter == Prefilter::on ? sense_exceeded(network, state) : sense_all(network, state);
+std::vector<LocalDuplet> Sensors::sense(const Network& network, const State& state) {
+    if (prefilter_ == Prefilter::off) {
+        return sense_all(network, state);
+    }
+    find_stretched(network, state);
+    return find_triggered(network, state);
+}
+
+void Sensors::find_stretched(const Network& network, const State& state) {
+    std::swap(now_, before_);
+    now_.edges.clear();
+    now_.sensors.clear();
+    auto known = before_.edges.cbegin();
+    auto sensors = before_.sensors.cbegin();
+    for_each_stretched(state.sensing, [&](Site site, int edge) {
+        const std::int64_t place = place_of(site, edge);
+        for (; known != before_.edges.cend() && known->place < place; ++known) {
+            sensors += known->sensors;
+        }
+        if (known != before_.edges.cend() && known->place == place &&
+            known->revision == revision(state, known->vertex)) {
+            now_.edges.push_back(*known);
+            now_.sensors.insert(now_.sensors.end(), sensors, sensors + known->sensors);
+        } else {
+            look_up(network, state, site, edge);
+        }
+    });
+}
+
+void Sensors::look_up(const Network& network, const State& state, Site site, int edge) {
+    const LocalEntity e = state.lattice().entity(site);
+    const auto [lower, upper] = HexahedronPairs::corners[static_cast<std::size_t>(edge)];
+    const std::array<Slot, 2> slot{state.unions.slot(local_mass(e, lower)), state.unions.slot(local_mass(e, upper))};
+    const std::array<VertexSite, 2> vertex{vertex_of(slot[0]), vertex_of(slot[1])};
+    StretchedEdge& found =
+        now_.edges.emplace_back(StretchedEdge{place_of(site, edge), vertex, revision(state, vertex), 0});
+    for_each_sensor(network, state, e, edge, [&](LocalDuplet d, std::size_t end, LocalEntity copy) {
+        const Reach reach = reach_of(network, d);
+        const LocalMass far = entity_of(reach.p) == copy ? reach.q : reach.p;
+        now_.sensors.push_back({slot[1 - end], far, state.lattice().vertex(far), d,
+                                rounded_down(extension_limit(threshold(network, d))),
+                                static_cast<std::uint8_t>(edge / HexahedronPairs::edges_per_axis), end == 1});
+        ++found.sensors;
+    });
+}
+
+std::vector<LocalDuplet> Sensors::find_triggered(const Network& network, const State& state) const {
+    std::vector<LocalDuplet> found;
+    const std::array<Vec3, 3> rest = upward_reaches(network.model());
+    for (const SensorOver& sensor : now_.sensors) {
+        const Vec3 near = state.displacement(sensor.near);
+        const Vec3 far = state.displacement(slot_of(sensor.far_vertex, state.unions.label(sensor.far)));
+        const Vec3 du = sensor.goes_up ? far - near : near - far;
+        const Vec3& up = rest[sensor.axis];
+        if (dot(2 * up + du, du) > static_cast<double>(sensor.limit) * dot(up, up) &&
+            triggers(network, state, sensor.duplet)) {
+            found.push_back(sensor.duplet);
+        }
+    }
+    sort_and_make_unique(found);
+    return found;
 }
 
 void set_sensing_limits(const Network& network, LocalEntity e, State& state) {
@@ -150,7 +211,7 @@ void set_sensing_limits(const Network& network, LocalEntity e, State& state) {
         for (int edge = axis * HexahedronPairs::edges_per_axis; edge < (axis + 1) * HexahedronPairs::edges_per_axis;
              ++edge) {
             watched.remove(static_cast<std::size_t>(edge), bit);
-            for_each_sensor(network, state, e, edge, [&](LocalDuplet d) {
+            for_each_sensor(network, state, e, edge, [&](LocalDuplet d, std::size_t, LocalEntity) {
                 lowest = std::min(lowest, threshold(network, d));
                 watched.add(static_cast<std::size_t>(edge), bit);
             });

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
+#include "physics/merging.hpp"
 #include "physics/network.hpp"
 #include "physics/state.hpp"
 
@@ -9,13 +13,53 @@ namespace cracksim::physics {
 
 enum class Prefilter { on, off };
 
-/// The duplets whose `normal` sensor triggers at the current state, ascending, each once. The sensor of a duplet A|B measures
-/// the distance between the masses P of A's entity and Q of B's that lie one edge off the shared face (rest distance R0), and
-/// triggers when its stretch exceeds the threshold: ((2 D0 + dU).dU)/(|D| + R0) > s R0.
+/// Finds, step by step, the duplets whose `normal` sensor triggers. The sensor of a duplet A|B measures the distance between the masses
+/// P of A's entity and Q of B's that lie one edge off the shared face (rest distance R0), and triggers when its stretch exceeds the
+/// threshold: ((2 D0 + dU).dU)/(|D| + R0) > s R0.
 ///
 /// The prefilter looks only where the force sweep found an edge stretched enough. It is exact: |PQ| <= l1 + l2, so no sensor
 /// triggers while l1 + l2 <= (1 + s) R0; a margin of 1e-12 covers rounding. All sensors that trigger act together.
-[[nodiscard]] std::vector<LocalDuplet> sense(const Network& network, const State& state, Prefilter prefilter);
+class Sensors {
+public:
+    explicit Sensors(Prefilter prefilter) : prefilter_{prefilter} {}
+
+    /// The duplets whose sensors trigger at the current state, ascending, each once. Always of the same network and state.
+    [[nodiscard]] std::vector<LocalDuplet> sense(const Network& network, const State& state);
+
+private:
+    /// A sensor that reaches over a stretched edge from its near end, and on over another edge in line with it to a far mass.
+    struct SensorOver {
+        Slot near;
+        LocalMass far;
+        VertexSite far_vertex;
+        LocalDuplet duplet;
+        float limit;  ///< |D|^2/R0^2 - 1 up to which it cannot trigger
+        std::uint8_t axis;
+        bool goes_up;  ///< from near to far
+    };
+    /// An edge stretched beyond its limit, and how many sensors reach over it.
+    struct StretchedEdge {
+        std::int64_t place;  ///< ascends from edge to edge
+        std::array<VertexSite, 2> vertex;
+        std::int16_t revision;  ///< of both vertices, together, when all this was looked up
+        std::int16_t sensors;
+    };
+    /// All of a step.
+    struct StretchedEdges {
+        std::vector<StretchedEdge> edges;
+        std::vector<SensorOver> sensors;  ///< edge after edge
+    };
+
+    void find_stretched(const Network& network, const State& state);
+    void look_up(const Network& network, const State& state, Site site, int edge);
+    [[nodiscard]] std::vector<LocalDuplet> find_triggered(const Network& network, const State& state) const;
+
+    Prefilter prefilter_;
+    /// An edge mostly stays stretched for many steps, and looking up what is at it costs more than all else: it is kept until one of its
+    /// vertices is updated.
+    StretchedEdges now_;
+    StretchedEdges before_;
+};
 
 /// Recomputes the prefilter's limits of an entity from the active duplets at the edges that it carries.
 void set_sensing_limits(const Network& network, LocalEntity e, State& state);

@@ -64,7 +64,7 @@ Dynamics::Dynamics(const partition::Communicator& comm, const Scene& scene, doub
       state_{network_, scene.time.scheme, step_size, scene.time.precision},
       plan_{motion_plan(comm, network_, decomposition_)},
       sent_{local_masses(decomposition_, plan_.sent())},
-      prefilter_{scene.sensors.prefilter ? physics::Prefilter::on : physics::Prefilter::off} {
+      sensors_{scene.sensors.prefilter ? physics::Prefilter::on : physics::Prefilter::off} {
     physics::start(network_, initial_fields(scene), state_);
     set_start_increments();
 }
@@ -86,7 +86,7 @@ void Dynamics::begin() {
 }
 
 void Dynamics::act() {
-    const auto triggered = stopwatch_->time(Phase::sense, [&] { return physics::sense(network_, state_, prefilter_); });
+    const auto triggered = stopwatch_->time(Phase::sense, [&] { return sensors_.sense(network_, state_); });
     if (triggered.empty()) {
         return;
     }

@@ -81,7 +81,7 @@ private:
     physics::State state_;
     partition::ExchangePlan plan_;
     std::vector<LocalMass> sent_;
-    physics::Prefilter prefilter_;
+    physics::Sensors sensors_;
     physics::SplitStream new_splits_;
     std::size_t counted_splits_{0};
     std::vector<physics::DupletEvent> new_events_;

@@ -56,8 +56,8 @@ double state_bytes(const PartLoad& load, const Time& time, double opened) {
                                  3 * lanes * sizeof(float) + 2 * sizeof(physics::EdgeBits) + 2 * sizeof(std::uint32_t) +
                                  sizeof(std::int32_t);
     constexpr double per_site = planes_of_site + sizeof(LocalEntity) + per_batch / lanes;
-    constexpr double per_vertex =
-        2 * sizeof(std::uint8_t) + (sizeof(std::int32_t) * (1 + physics::planes) + sizeof(std::uint8_t)) / lanes;
+    constexpr double per_vertex = 2 * sizeof(std::uint8_t) + sizeof(physics::Merging::Revision) +
+                                  (sizeof(std::int32_t) * (2 + physics::planes) + sizeof(std::uint8_t)) / lanes;
     const double components = time.scheme == physics::Scheme::ab2 ? 13 : 10;
     const double number_bytes = time.precision == physics::Precision::binary32 ? sizeof(float) : sizeof(double);
     // Blocks are made half as many again: on average a quarter of them is room.

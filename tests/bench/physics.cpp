@@ -103,9 +103,9 @@ DamagedBlock alerted(const DamagedBlock& block) {
 
 void measure_sensing(benchmark::State& run, const Subject& subject, bool alert) {
     const DamagedBlock block = alert ? alerted(subject->get()) : subject->get();
-    run.counters["value"] = nanoseconds_each(run, entities_of(block), [&] {
-        benchmark::DoNotOptimize(physics::sense(block.network, block.state, physics::Prefilter::on));
-    });
+    physics::Sensors sensors{physics::Prefilter::on};
+    run.counters["value"] = nanoseconds_each(
+        run, entities_of(block), [&] { benchmark::DoNotOptimize(sensors.sense(block.network, block.state)); });
     run.SetLabel("ns/entity");
 }
 

@@ -27,7 +27,7 @@ std::size_t run(const test::SerialBlock& block, Scheme scheme, const std::functi
     accumulate_forces(network, state, Measure::elastic_energy);
     for (double t = 0; t < end; t += step_size) {
         SplitStream stream;
-        splits += split(network, sense(network, state, Prefilter::on), state, stream);
+        splits += split(network, Sensors{Prefilter::on}.sense(network, state), state, stream);
         after(network, state);
         advance(network, state, {}, Measure::elastic_energy);
     }

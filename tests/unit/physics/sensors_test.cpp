@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "physics/force_sweep.hpp"
+#include "physics/split.hpp"
 #include "support/precisions.hpp"
 #include "support/random_state.hpp"
 #include "support/serial_network.hpp"
@@ -25,8 +26,8 @@ TEST(Prefilter, FindsWhatAllSensorsFindInRandomStates) {
         State state{network, Scheme::cordis, 0.3, seed % 3 == 0 ? Precision::binary32 : Precision::binary64};
         test::shake(state, size, seed);
         accumulate_forces(network, state, Measure::nothing);
-        const auto with = sense(network, state, Prefilter::on);
-        EXPECT_EQ(with, sense(network, state, Prefilter::off)) << "seed " << seed;
+        const auto with = Sensors{Prefilter::on}.sense(network, state);
+        EXPECT_EQ(with, Sensors{Prefilter::off}.sense(network, state)) << "seed " << seed;
         found += with.size();
     }
     EXPECT_GT(found, 1000U);
@@ -49,7 +50,8 @@ TEST(Prefilter, MissesNothingAtThresholdsOneUlpAway) {
                 state.set_displacement(s, {stretch * network.rest_position(state.unions.smallest_mass(s)).x, 0, 0});
             }
             accumulate_forces(network, state, Measure::nothing);
-            EXPECT_EQ(sense(network, state, Prefilter::on), sense(network, state, Prefilter::off)) << ulps << " ulps";
+            EXPECT_EQ(Sensors{Prefilter::on}.sense(network, state), Sensors{Prefilter::off}.sense(network, state))
+                << ulps << " ulps";
         }
     }
 }
@@ -72,8 +74,39 @@ TEST(Prefilter, MissesNothingWhereAnotherEdgeHasVanished) {
     }
     accumulate_forces(network, state, Measure::elastic_energy);
     EXPECT_TRUE(std::isfinite(state.elastic));
-    EXPECT_EQ(sense(network, state, Prefilter::on).size(), 1U);
-    EXPECT_EQ(sense(network, state, Prefilter::on), sense(network, state, Prefilter::off));
+    EXPECT_EQ(Sensors{Prefilter::on}.sense(network, state).size(), 1U);
+    EXPECT_EQ(Sensors{Prefilter::on}.sense(network, state), Sensors{Prefilter::off}.sense(network, state));
+}
+
+/// Displaces all unions by steps of a random walk, so that some edges stay stretched and others come and go.
+void walk(State& state, double size, std::uint64_t seed) {
+    State step = state;
+    test::shake(step, size, seed);
+    for (const Slot s : state.unions.advanced()) {
+        state.set_displacement(s, state.displacement(s) + step.displacement(s));
+    }
+}
+
+TEST(Prefilter, ForgetsWhatItKeptOfEdgesWhereUnionsSplit) {
+    std::size_t found = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        test::SerialBlock block;
+        block.cells = {9, 4, 3};
+        block.thresholds.weibull = Weibull{3, seed};
+        block.thresholds.field = [](Vec3) { return 0.2; };
+        const Network network = block.network();
+        State state{network, Scheme::cordis, 0.3};
+        Sensors sensors{Prefilter::on};
+        for (std::uint64_t step = 0; step < 40; ++step) {
+            walk(state, 0.06, 100 * seed + step);
+            accumulate_forces(network, state, Measure::nothing);
+            const auto triggered = sensors.sense(network, state);
+            ASSERT_EQ(triggered, Sensors{Prefilter::off}.sense(network, state)) << "seed " << seed << ", step " << step;
+            SplitStream splits;
+            found += split(network, triggered, state, splits);
+        }
+    }
+    EXPECT_GT(found, 1000U);
 }
 
 TEST(Sensor, TriggersAcrossTheStretchedFaceOnly) {
@@ -85,7 +118,7 @@ TEST(Sensor, TriggersAcrossTheStretchedFaceOnly) {
         state.set_displacement(s, {0.021 * network.rest_position(state.unions.smallest_mass(s)).x, 0, 0});
     }
     accumulate_forces(network, state, Measure::nothing);
-    const auto triggered = sense(network, state, Prefilter::on);
+    const auto triggered = Sensors{Prefilter::on}.sense(network, state);
     EXPECT_EQ(triggered.size(), 8U);
     for (const LocalDuplet d : triggered) {
         EXPECT_EQ(network.interfaces()[static_cast<std::size_t>(d.value() / 4)].face_a / 2, 0);
@@ -99,8 +132,8 @@ TEST(Sensor, NeverTriggersAtAnInfiniteThreshold) {
     State state{network, Scheme::cordis, 0.3};
     test::shake(state, 5, 3);
     accumulate_forces(network, state, Measure::nothing);
-    EXPECT_TRUE(sense(network, state, Prefilter::on).empty());
-    EXPECT_TRUE(sense(network, state, Prefilter::off).empty());
+    EXPECT_TRUE(Sensors{Prefilter::on}.sense(network, state).empty());
+    EXPECT_TRUE(Sensors{Prefilter::off}.sense(network, state).empty());
 }
 
 }  // namespace
