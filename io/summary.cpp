@@ -75,7 +75,7 @@ Json json(const Summary::Memory& m) {
 }
 
 Json json(const Summary::Exchange& e) {
-    return {{"bytes_per_step", e.bytes_per_step}, {"neighbours_max", e.neighbours_max}};
+    return {{"bytes_per_step", e.bytes_per_step}, {"neighbours_max", e.neighbours_max}, {"waiting", e.waiting}};
 }
 
 Json json(const Summary::Forecast& f) {

@@ -55,6 +55,7 @@ struct Summary {
     struct Exchange {
         double bytes_per_step{0};
         std::int64_t neighbours_max{0};
+        double waiting{0};  ///< s, for messages of other ranks; a part of seconds.exchange
     };
     /// What was forecast before the first step, bytes: intact if nothing breaks, broken if all of it breaks in the first step.
     struct Forecast {

@@ -60,10 +60,11 @@ public:
         PetscSFDestroy(&forest_);
     }
 
-    void broadcast(std::size_t bytes, const void* roots, void* leaves) {
-        const MPI_Datatype unit = unit_of(bytes);
-        check(PetscSFBcastBegin(forest_, unit, roots, leaves, MPI_REPLACE));
-        check(PetscSFBcastEnd(forest_, unit, roots, leaves, MPI_REPLACE));
+    void begin(std::size_t bytes, const void* roots, void* leaves) {
+        check(PetscSFBcastBegin(forest_, unit_of(bytes), roots, leaves, MPI_REPLACE));
+    }
+    void end(std::size_t bytes, const void* roots, void* leaves) {
+        check(PetscSFBcastEnd(forest_, unit_of(bytes), roots, leaves, MPI_REPLACE));
     }
 
 private:
@@ -111,8 +112,25 @@ ExchangePlan::ExchangePlan(const Communicator& comm, std::vector<std::int64_t> n
     }
 }
 
-void ExchangePlan::exchange_bytes(std::size_t unit, const void* values, void* received_values) const {
-    forest_->broadcast(unit, values, received_values);
+PendingExchange::PendingExchange(const ExchangePlan& plan, std::size_t unit, const void* values, void* received_values)
+    : plan_{&plan}, unit_{unit}, values_{values}, received_values_{received_values} {
+    plan.forest_->begin(unit, values, received_values);
+}
+
+void PendingExchange::end() {
+    CRACKSIM_EXPECT(!ended_);
+    ended_ = true;
+    plan_->forest_->end(unit_, values_, received_values_);
+}
+
+PendingExchange::~PendingExchange() {
+    if (!ended_) {
+        try {
+            end();
+        } catch (const std::exception&) {
+            // Unwinding: what caused it is told, and ends the run on all ranks.
+        }
+    }
 }
 
 }  // namespace cracksim::partition

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -11,6 +12,30 @@
 #include "partition/communicator.hpp"
 
 namespace cracksim::partition {
+
+class ExchangePlan;
+
+/// An exchange under way: what it sends and what it receives into must stay until its end.
+class PendingExchange {
+public:
+    PendingExchange(const PendingExchange&) = delete;
+    PendingExchange& operator=(const PendingExchange&) = delete;
+    /// Ends it if it has not ended.
+    ~PendingExchange();
+
+    /// Waits until all values have come. Once.
+    void end();
+
+private:
+    friend class ExchangePlan;
+    PendingExchange(const ExchangePlan& plan, std::size_t unit, const void* values, void* received_values);
+
+    const ExchangePlan* plan_;
+    std::size_t unit_;
+    const void* values_;
+    void* received_values_;
+    bool ended_{false};
+};
 
 /// A fixed table of values that cross ranks: who sends the value of which global id to whom (PetscSF underneath).
 /// Send and receive lists are separate; messages may go one way. Both lists ascend in global id.
@@ -32,18 +57,22 @@ public:
     /// Collective. values[i] belongs to sent()[i]; afterwards received_values[i] is the owner's value of received()[i].
     template <class T>
     void exchange(std::span<const T> values, std::span<T> received_values) const {
+        begin(values, received_values).end();
+    }
+    /// The same in two steps, for other work while the values travel. One exchange at a time.
+    template <class T>
+    [[nodiscard]] PendingExchange begin(std::span<const T> values, std::span<T> received_values) const {
         static_assert(std::is_trivially_copyable_v<T>);
         CRACKSIM_EXPECT(values.size() == sent_.size() && received_values.size() == received_.size());
-        exchange_bytes(sizeof(T), values.data(), received_values.data());
+        return {*this, sizeof(T), values.data(), received_values.data()};
     }
 
 private:
+    friend class PendingExchange;
     class Forest;
     struct ForestDeleter {
         void operator()(Forest* forest) const;
     };
-
-    void exchange_bytes(std::size_t unit, const void* values, void* received_values) const;
 
     std::vector<std::int64_t> sent_;
     std::vector<std::int64_t> received_;

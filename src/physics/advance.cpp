@@ -4,6 +4,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <tuple>
@@ -107,8 +108,13 @@ void find_next_increments(const NextIncrementView<float>& v) { HWY_DYNAMIC_DISPA
 
 constexpr double longest_increment_in_edges = 100;
 
+/// Of next increments; whole vectors.
+constexpr std::size_t masses_at_a_time = 64;
+static_assert(masses_at_a_time % Lattice::lanes == 0);
+
 /// A union before a step, to put right afterwards what is not its own to decide.
 struct Before {
+    Slot slot;
     Vec3 displacement;
     Vec3 increment;
 };
@@ -126,22 +132,22 @@ void extrapolate(State& state, Slot s, Vec3 now, Vec3 before) {
 }
 
 /// The held components move as prescribed; the force that this takes does work on the union.
-void put_held_right(const Network& network, State& state, Slot slot, const Before& before) {
-    const Vec3 free = state.increment(slot);
-    const Vec3 w = state.motion.rounded(prescribed(network, state, slot, free, 0.5));
-    state.set_increment(slot, w);
-    state.set_displacement(slot, before.displacement + w);
-    extrapolate(state, slot, w, before.increment);
-    if (network.owned(entity_of(state.unions.smallest_mass(slot)))) {
-        const Vec3 support_force = (1.0 / state.mobility(slot)) * (w - free);
+void put_held_right(const Network& network, State& state, const Before& before) {
+    const Vec3 free = state.increment(before.slot);
+    const Vec3 w = state.motion.rounded(prescribed(network, state, before.slot, free, 0.5));
+    state.set_increment(before.slot, w);
+    state.set_displacement(before.slot, before.displacement + w);
+    extrapolate(state, before.slot, w, before.increment);
+    if (network.owned(entity_of(state.unions.smallest_mass(before.slot)))) {
+        const Vec3 support_force = (1.0 / state.mobility(before.slot)) * (w - free);
         state.external += 0.5 * dot(support_force, w + before.increment);
     }
 }
 
-void put_received_right(State& state, Slot slot, const Before& before, Vec3 increment) {
-    state.set_increment(slot, increment);
-    state.set_displacement(slot, before.displacement + increment);
-    extrapolate(state, slot, increment, before.increment);
+void put_received_right(State& state, const Before& before, Vec3 increment) {
+    state.set_increment(before.slot, increment);
+    state.set_displacement(before.slot, before.displacement + increment);
+    extrapolate(state, before.slot, increment, before.increment);
 }
 
 bool makes_sense(Vec3 w, double longest) {
@@ -247,7 +253,7 @@ private:
         return blocks;
     }
 
-    /// Calls action(held union) or action(slot, increment) for what is not a row's own to decide, of some planes.
+    /// Calls action(slot) for the held unions of some planes.
     void for_each_held(std::size_t row, unsigned met, auto&& action) {
         for (const std::size_t i : state_->held_in_row[row]) {
             if ((met & bit_of(plane_of(state_->held[i].slot))) != 0) {
@@ -255,6 +261,7 @@ private:
             }
         }
     }
+    /// Calls action(slot, increment) for the received masses of some planes.
     void for_each_received(std::size_t row, unsigned met, auto&& action) {
         for (const std::size_t i : state_->received_in_row[row]) {
             const Slot slot = state_->unions.slot(network_->received()[i]);
@@ -266,19 +273,19 @@ private:
 
     void remember(std::size_t row, unsigned met) {
         before_.clear();
-        const auto keep = [&](Slot s) { before_.push_back({state_->displacement(s), state_->increment(s)}); };
+        const auto keep = [&](Slot s) { before_.push_back({s, state_->displacement(s), state_->increment(s)}); };
         for_each_held(row, met, keep);
+        held_count_ = before_.size();
         for_each_received(row, met, [&](Slot slot, Vec3) { keep(slot); });
     }
 
     void put_right(std::size_t row, unsigned met) {
-        auto before = before_.begin();
-        for_each_held(row, met, [&](Slot slot) {
-            put_held_right(*network_, *state_, slot, *before++);
-            broken_ = broken_ || !makes_sense(state_->increment(slot), longest_);
-        });
-        for_each_received(row, met,
-                          [&](Slot slot, Vec3 increment) { put_received_right(*state_, slot, *before++, increment); });
+        for (std::size_t i = 0; i < held_count_; ++i) {
+            put_held_right(*network_, *state_, before_[i]);
+            broken_ = broken_ || !makes_sense(state_->increment(before_[i].slot), longest_);
+        }
+        auto before = before_.cbegin() + static_cast<std::ptrdiff_t>(held_count_);
+        for_each_received(row, met, [&](Slot, Vec3 increment) { put_received_right(*state_, *before++, increment); });
     }
 
     const Network* network_;
@@ -288,6 +295,7 @@ private:
     bool broken_{false};
     std::tuple<std::vector<double*>, std::vector<float*>> blocks_;  ///< those of a row, in the motion's precision
     std::vector<Before> before_;
+    std::size_t held_count_{0};  ///< of these, the first
 };
 
 }  // namespace
@@ -310,38 +318,51 @@ void advance(const Network& network, State& state, std::span<const Vec3> receive
     sweep.finish();
 }
 
-namespace {
-
-template <class Real>
-std::vector<Vec3> free_increments(const State& state, std::span<const LocalMass> masses) {
-    const std::size_t count = (masses.size() + Lattice::lanes - 1) / Lattice::lanes * Lattice::lanes;
-    std::vector<Vec3> next(masses.size());
-    std::vector<Real> increment(count), mobility(count), force(count), found(count);
-    for (int axis = 0; axis < 3; ++axis) {
-        for (std::size_t i = 0; i < masses.size(); ++i) {
-            const Slot s = state.unions.slot(masses[i]);
-            increment[i] = static_cast<Real>(state.increment(s)[axis]);
-            mobility[i] = static_cast<Real>(state.mobility(s));
-            force[i] = static_cast<Real>(state.force(s)[axis]);
-        }
-        find_next_increments(
-            NextIncrementView<Real>{increment.data(), mobility.data(), force.data(), found.data(), count});
-        for (std::size_t i = 0; i < masses.size(); ++i) {
-            next[i][axis] = found[i];
-        }
+NextIncrements::NextIncrements(const Lattice& lattice, std::vector<LocalMass> masses) : masses_{std::move(masses)} {
+    for (const LocalMass m : masses_) {
+        vertex_.push_back(lattice.vertex(m));
     }
-    return next;
+    next_.resize(masses_.size());
 }
 
-}  // namespace
-
-std::vector<Vec3> next_increments(const Network& network, const State& state, std::span<const LocalMass> masses) {
-    std::vector<Vec3> next = state.motion.precision() == Precision::binary32 ? free_increments<float>(state, masses)
-                                                                             : free_increments<double>(state, masses);
-    for (std::size_t i = 0; !state.held.empty() && i < masses.size(); ++i) {
-        next[i] = state.motion.rounded(prescribed(network, state, state.unions.slot(masses[i]), next[i], 0.5));
+void NextIncrements::find(const Network& network, const State& state) {
+    for (std::size_t first = 0; first < masses_.size(); first += masses_at_a_time) {
+        const std::size_t count = std::min(masses_at_a_time, masses_.size() - first);
+        if (state.motion.precision() == Precision::binary32) {
+            find_some<float>(state, first, count);
+        } else {
+            find_some<double>(state, first, count);
+        }
     }
-    return next;
+    for (std::size_t i = 0; !state.held.empty() && i < masses_.size(); ++i) {
+        next_[i] = state.motion.rounded(prescribed(network, state, slot(state, i), next_[i], 0.5));
+    }
+}
+
+template <class Real>
+void NextIncrements::find_some(const State& state, std::size_t first, std::size_t count) {
+    using Components = std::array<Real, 3 * masses_at_a_time>;
+    Components increments{};
+    Components mobilities{};
+    Components forces{};
+    Components found{};
+    for (std::size_t i = 0; i < count; ++i) {
+        const Slot s = slot(state, first + i);
+        const Vec3 increment = state.increment(s);
+        const Vec3 force = state.force(s);
+        const double mobility = state.mobility(s);
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::size_t at = 3 * i + static_cast<std::size_t>(axis);
+            increments[at] = static_cast<Real>(increment[axis]);
+            mobilities[at] = static_cast<Real>(mobility);
+            forces[at] = static_cast<Real>(force[axis]);
+        }
+    }
+    find_next_increments(
+        NextIncrementView<Real>{increments.data(), mobilities.data(), forces.data(), found.data(), increments.size()});
+    for (std::size_t i = 0; i < count; ++i) {
+        next_[first + i] = {found[3 * i], found[3 * i + 1], found[3 * i + 2]};
+    }
 }
 
 void set_received(const Network& network, State& state, std::span<const StartIncrements> increments) {
@@ -359,13 +380,15 @@ void set_received_labels(const Network& network, State& state, std::span<const s
     std::vector<Slot> left;
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const LocalMass m = network.received()[i];
-        const Slot before = state.unions.slot(m);
-        if (state.unions.set_received_label(m, labels[i])) {
-            state.motion.open(state.unions.slot(m));
-            state.motion.copy(before, state.unions.slot(m));
-            left.push_back(before);
-            changed.push_back(state.lattice().vertex(m));
+        if (state.unions.label(m) == labels[i]) {
+            continue;
         }
+        const Slot before = state.unions.slot(m);
+        state.unions.set_received_label(m, labels[i]);
+        state.motion.open(state.unions.slot(m));
+        state.motion.copy(before, state.unions.slot(m));
+        left.push_back(before);
+        changed.push_back(vertex_of(before));
     }
     for (const Slot s : left) {
         if (state.unions.smallest_mass(s) == LocalMass{}) {

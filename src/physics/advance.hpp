@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -17,9 +18,27 @@ namespace cracksim::physics {
 /// state.step becomes n + 1.
 void advance(const Network& network, State& state, std::span<const Vec3> received, Measure measure);
 
-/// The increments, m, that the coming advance gives to the unions of some masses, with its bits.
-[[nodiscard]] std::vector<Vec3> next_increments(const Network& network, const State& state,
-                                                std::span<const LocalMass> masses);
+/// Finds the increments that the coming advance gives to the unions of some masses, with its bits. Keeps its lists from step to step.
+class NextIncrements {
+public:
+    NextIncrements(const Lattice& lattice, std::vector<LocalMass> masses);
+
+    [[nodiscard]] const std::vector<LocalMass>& masses() const { return masses_; }
+    void find(const Network& network, const State& state);
+    /// Of masses()[i], m, at the state of the last find.
+    [[nodiscard]] Vec3 increment(std::size_t i) const { return next_[i]; }
+
+private:
+    [[nodiscard]] Slot slot(const State& state, std::size_t i) const {
+        return slot_of(vertex_[i], state.unions.label(masses_[i]));
+    }
+    template <class Real>
+    void find_some(const State& state, std::size_t first, std::size_t count);
+
+    std::vector<LocalMass> masses_;
+    std::vector<VertexSite> vertex_;
+    std::vector<Vec3> next_;
+};
 
 /// The start values of the received masses: w(0), and with ab2 its extrapolation.
 struct StartIncrements {

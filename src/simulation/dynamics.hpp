@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "partition/audit.hpp"
@@ -13,6 +14,7 @@
 #include "physics/network.hpp"
 #include "physics/sensors.hpp"
 #include "physics/state.hpp"
+#include "simulation/motion_exchange.hpp"
 #include "simulation/scene.hpp"
 #include "simulation/stopwatch.hpp"
 
@@ -32,9 +34,6 @@ private:
     const physics::State& state_;
 };
 
-/// What a step sends of a mass: the increment of its union, and its label.
-constexpr std::size_t bytes_per_message = sizeof(Vec3) + 1;
-
 /// Where physics and partition meet: the network's motion on all ranks, step by step.
 /// A step is  act(); ... ; advance();  between act and advance, all is at state n.
 class Dynamics {
@@ -52,7 +51,7 @@ public:
     [[nodiscard]] const partition::Decomposition& decomposition() const { return decomposition_; }
     [[nodiscard]] const physics::Network& network() const { return network_; }
     [[nodiscard]] const physics::State& state() const { return state_; }
-    [[nodiscard]] const partition::ExchangePlan& plan() const { return plan_; }
+    [[nodiscard]] const partition::ExchangePlan& plan() const { return exchange_.plan(); }
     [[nodiscard]] MassEvolution evolution() const { return {network_, state_}; }
 
     /// Splits of this rank's touched unions since the last call.
@@ -71,16 +70,14 @@ public:
     void audit(const partition::Audit& audit) const;
 
 private:
-    void set_start_increments();
-    [[nodiscard]] std::vector<Vec3> exchange();
+    [[nodiscard]] std::span<const Vec3> exchange();
 
     const partition::Communicator* comm_;
     Stopwatch* stopwatch_;
     partition::Decomposition decomposition_;
     physics::Network network_;
     physics::State state_;
-    partition::ExchangePlan plan_;
-    std::vector<LocalMass> sent_;
+    MotionExchange exchange_;
     physics::Sensors sensors_;
     physics::SplitStream new_splits_;
     std::size_t counted_splits_{0};

@@ -9,6 +9,7 @@
 #include "physics/state.hpp"
 #include "simulation/local_surface.hpp"
 #include "simulation/mesh_assembly.hpp"
+#include "simulation/motion_exchange.hpp"
 #include "simulation/surface_frames.hpp"
 #include "simulation/surface_news.hpp"
 #include "topology/face_link.hpp"
@@ -27,7 +28,7 @@ constexpr double libraries_in_use = 6e6;
 constexpr Range least_in_use{8'900'000, 12'000'000};
 /// Per entity of the whole block, on the root: the graph, and METIS's coarser graphs; the peak of 800,000 entities on 8 ranks.
 constexpr double metis_per_entity = 180;
-/// Per mass that is sent or received: ids, PetscSF's lists and buffers.
+/// Per mass that is sent or received, beside what the exchange of motion keeps of it: ids, PetscSF's lists and buffers.
 constexpr double exchange_per_mass = 45;
 
 constexpr double duplets = physics::Network::duplets_per_interface;
@@ -79,7 +80,11 @@ double coat_bytes(const PartLoad& load, double opened) {
 
 double distribution_bytes(const PartLoad& load) {
     constexpr double per_entity = sizeof(EntityId) + sizeof(Rank) + sizeof(std::uint8_t);
-    return number(load.local) * per_entity + number(load.received + load.sent) * exchange_per_mass;
+    constexpr double per_message = sizeof(MotionMessage) + sizeof(Vec3);
+    constexpr double per_sent = per_message + sizeof(LocalMass) + sizeof(physics::VertexSite);
+    constexpr double per_received = per_message + sizeof(std::uint8_t);
+    return number(load.local) * per_entity + number(load.received) * per_received + number(load.sent) * per_sent +
+           number(load.received + load.sent) * exchange_per_mass;
 }
 
 /// Before the rank has anything else: the owner of every entity of the block, a mark for each, and on the root what METIS takes.

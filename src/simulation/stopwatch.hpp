@@ -8,7 +8,18 @@
 
 namespace cracksim::simulation {
 
-enum class Phase : std::uint8_t { setup, force, update, sense, exchange, topology, geometry, output, count };
+enum class Phase : std::uint8_t {
+    setup,
+    force,
+    update,
+    sense,
+    exchange,
+    waiting,  ///< for other ranks' messages; a part of exchange
+    topology,
+    geometry,
+    output,
+    count
+};
 
 /// Wall-clock seconds by phase, on this rank.
 class Stopwatch {

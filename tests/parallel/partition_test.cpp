@@ -88,6 +88,28 @@ TEST(ExchangePlan, BringsEveryOwnersValue) {
     }
 }
 
+TEST(PendingExchange, HasBroughtAllValuesAtItsEndOrWhenItIsGone) {
+    const Rank before{(world().rank().value() + world().size() - 1) % world().size()};
+    const bool alone = before == world().rank();
+    const ExchangePlan plan{world(), alone ? std::vector<std::int64_t>{} : std::vector<std::int64_t>{before.value()},
+                            alone ? std::vector<Rank>{} : std::vector<Rank>{before}};
+    for (int round = 0; round < 3; ++round) {
+        const std::vector<std::array<double, 4>> sent(plan.sent().size(),
+                                                      {1.0 * world().rank().value(), 0, 0, 1.0 * round});
+        std::vector<std::array<double, 4>> received(plan.received().size());
+        {
+            PendingExchange pending = plan.begin<std::array<double, 4>>(sent, received);
+            if (round > 0) {
+                pending.end();
+            }
+        }
+        for (const auto& values : received) {
+            EXPECT_EQ(values[0], before.value());
+            EXPECT_EQ(values[3], round);
+        }
+    }
+}
+
 TEST(Halo, CarriesOwnersValuesOfAnySize) {
     const Block block{{5, 4, 3}, {1, 1, 1}, {}};
     const Decomposition d = decompose(world(), block, partition_at_random);

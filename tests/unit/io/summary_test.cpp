@@ -69,6 +69,7 @@ TEST(Summary, HasTheKeysThatUsersRelyOn) {
                                 "/memory/map_per_entity",
                                 "/exchange/bytes_per_step",
                                 "/exchange/neighbours_max",
+                                "/exchange/waiting",
                                 "/forecast/memory_intact",
                                 "/forecast/memory_broken",
                                 "/forecast/exchange_per_step",

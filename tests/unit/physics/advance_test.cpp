@@ -55,10 +55,11 @@ TEST(NextIncrements, AreThoseOfTheAdvanceToTheLastBit) {
         State state{network, Scheme::cordis, 0.3, precision};
         test::shake(state, 0.1, 9);
         accumulate_forces(network, state, Measure::nothing);
-        const std::vector<Vec3> next = next_increments(network, state, masses);
+        NextIncrements next{state.lattice(), masses};
+        next.find(network, state);
         advance(network, state, {}, Measure::nothing);
-        for (const LocalMass m : masses) {
-            EXPECT_EQ(next[m.index()], state.increment(state.unions.slot(m)));
+        for (std::size_t i = 0; i < masses.size(); ++i) {
+            EXPECT_EQ(next.increment(i), state.increment(state.unions.slot(masses[i])));
         }
     }
 }
