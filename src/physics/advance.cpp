@@ -184,7 +184,7 @@ constexpr std::array<unsigned, Lattice::sides> planes_by_side = [] {
 /// caches once for advance and forces.
 class Advancer {
 public:
-    Advancer(const Network& network, State& state, std::span<const Vec3> received)
+    Advancer(const Network& network, State& state, std::span<const NextMotion> received)
         : network_{&network}, state_{&state}, received_{received}, longest_{longest_increment(network)} {}
 
     /// What a row of entities meets first.
@@ -266,7 +266,7 @@ private:
         for (const std::size_t i : state_->received_in_row[row]) {
             const Slot slot = state_->unions.slot(network_->received()[i]);
             if ((met & bit_of(plane_of(slot))) != 0) {
-                action(slot, received_[i]);
+                action(slot, received_[i].increment);
             }
         }
     }
@@ -290,7 +290,7 @@ private:
 
     const Network* network_;
     State* state_;
-    std::span<const Vec3> received_;
+    std::span<const NextMotion> received_;
     double longest_;
     bool broken_{false};
     std::tuple<std::vector<double*>, std::vector<float*>> blocks_;  ///< those of a row, in the motion's precision
@@ -300,7 +300,7 @@ private:
 
 }  // namespace
 
-void advance(const Network& network, State& state, std::span<const Vec3> received, Measure measure) {
+void advance(const Network& network, State& state, std::span<const NextMotion> received, Measure measure) {
     CRACKSIM_EXPECT(received.size() == network.received().size());
     Advancer advancer{network, state, received};
     ForceSweep sweep{network, state, measure};
@@ -318,36 +318,40 @@ void advance(const Network& network, State& state, std::span<const Vec3> receive
     sweep.finish();
 }
 
-NextIncrements::NextIncrements(const Lattice& lattice, std::vector<LocalMass> masses) : masses_{std::move(masses)} {
+NextMotions::NextMotions(const Lattice& lattice, std::vector<LocalMass> masses) : masses_{std::move(masses)} {
     for (const LocalMass m : masses_) {
         vertex_.push_back(lattice.vertex(m));
     }
-    next_.resize(masses_.size());
 }
 
-void NextIncrements::find(const Network& network, const State& state) {
-    for (std::size_t first = 0; first < masses_.size(); first += masses_at_a_time) {
-        const std::size_t count = std::min(masses_at_a_time, masses_.size() - first);
+void NextMotions::find(const Network& network, const State& state, std::span<NextMotion> found) const {
+    CRACKSIM_EXPECT(found.size() == masses_.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        found[i].label = state.unions.label(masses_[i]);
+    }
+    for (std::size_t first = 0; first < found.size(); first += masses_at_a_time) {
+        const auto some = found.subspan(first, std::min(masses_at_a_time, found.size() - first));
         if (state.motion.precision() == Precision::binary32) {
-            find_some<float>(state, first, count);
+            find_increments<float>(state, first, some);
         } else {
-            find_some<double>(state, first, count);
+            find_increments<double>(state, first, some);
         }
     }
-    for (std::size_t i = 0; !state.held.empty() && i < masses_.size(); ++i) {
-        next_[i] = state.motion.rounded(prescribed(network, state, slot(state, i), next_[i], 0.5));
+    for (std::size_t i = 0; !state.held.empty() && i < found.size(); ++i) {
+        const Slot s = state.unions.slot(masses_[i]);
+        found[i].increment = state.motion.rounded(prescribed(network, state, s, found[i].increment, 0.5));
     }
 }
 
 template <class Real>
-void NextIncrements::find_some(const State& state, std::size_t first, std::size_t count) {
+void NextMotions::find_increments(const State& state, std::size_t first, std::span<NextMotion> found) const {
     using Components = std::array<Real, 3 * masses_at_a_time>;
     Components increments{};
     Components mobilities{};
     Components forces{};
-    Components found{};
-    for (std::size_t i = 0; i < count; ++i) {
-        const Slot s = slot(state, first + i);
+    Components next{};
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const Slot s = slot_of(vertex_[first + i], static_cast<int>(found[i].label));
         const Vec3 increment = state.increment(s);
         const Vec3 force = state.force(s);
         const double mobility = state.mobility(s);
@@ -359,9 +363,9 @@ void NextIncrements::find_some(const State& state, std::size_t first, std::size_
         }
     }
     find_next_increments(
-        NextIncrementView<Real>{increments.data(), mobilities.data(), forces.data(), found.data(), increments.size()});
-    for (std::size_t i = 0; i < count; ++i) {
-        next_[first + i] = {found[3 * i], found[3 * i + 1], found[3 * i + 2]};
+        NextIncrementView<Real>{increments.data(), mobilities.data(), forces.data(), next.data(), increments.size()});
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        found[i].increment = {next[3 * i], next[3 * i + 1], next[3 * i + 2]};
     }
 }
 
@@ -375,16 +379,17 @@ void set_received(const Network& network, State& state, std::span<const StartInc
     }
 }
 
-void set_received_labels(const Network& network, State& state, std::span<const std::uint8_t> labels) {
+void set_received_labels(const Network& network, State& state, std::span<const NextMotion> received) {
     std::vector<VertexSite> changed;
     std::vector<Slot> left;
-    for (std::size_t i = 0; i < labels.size(); ++i) {
+    for (std::size_t i = 0; i < received.size(); ++i) {
         const LocalMass m = network.received()[i];
-        if (state.unions.label(m) == labels[i]) {
+        const int label = static_cast<int>(received[i].label);
+        if (state.unions.label(m) == label) {
             continue;
         }
         const Slot before = state.unions.slot(m);
-        state.unions.set_received_label(m, labels[i]);
+        state.unions.set_received_label(m, static_cast<std::uint8_t>(label));
         state.motion.open(state.unions.slot(m));
         state.motion.copy(before, state.unions.slot(m));
         left.push_back(before);

@@ -52,15 +52,15 @@ void Dynamics::act() {
 }
 
 void Dynamics::advance(physics::Measure measure) {
-    const std::span<const Vec3> received = exchange();
+    const std::span<const physics::NextMotion> received = exchange();
     stopwatch_->time(Phase::force, [&] { physics::advance(network_, state_, received, measure); });
 }
 
-std::span<const Vec3> Dynamics::exchange() {
+std::span<const physics::NextMotion> Dynamics::exchange() {
     if (comm_->size() == 1) {
         return {};
     }
-    return stopwatch_->time(Phase::exchange, [&] { return exchange_.next_increments(network_, state_, *stopwatch_); });
+    return stopwatch_->time(Phase::exchange, [&] { return exchange_.next_motions(network_, state_, *stopwatch_); });
 }
 
 physics::SplitStream Dynamics::take_splits() {

@@ -70,7 +70,7 @@ public:
     void audit(const partition::Audit& audit) const;
 
 private:
-    [[nodiscard]] std::span<const Vec3> exchange();
+    [[nodiscard]] std::span<const physics::NextMotion> exchange();
 
     const partition::Communicator* comm_;
     Stopwatch* stopwatch_;

@@ -41,7 +41,7 @@ Forecast estimate(const Scene& scene, const CertifiedStep& certified, const Mach
         sent += load.sent;
         setting.is_root = false;
     }
-    forecast.exchange_per_step = sent * static_cast<std::int64_t>(sizeof(MotionMessage));
+    forecast.exchange_per_step = sent * static_cast<std::int64_t>(sizeof(physics::NextMotion));
     return forecast;
 }
 
@@ -51,7 +51,7 @@ Forecast forecast(const Simulation& simulation, const Machine& machine) {
     const Range here = peaks(simulation.scene(), load, {machine.ranks, comm.is_root(), machine.process_bytes});
     return {true,
             {comm.max(here.intact), comm.max(here.broken)},
-            comm.sum(load.sent) * static_cast<std::int64_t>(sizeof(MotionMessage)),
+            comm.sum(load.sent) * static_cast<std::int64_t>(sizeof(physics::NextMotion)),
             forecast_output(simulation.scene(), simulation.certified())};
 }
 

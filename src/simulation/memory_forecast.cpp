@@ -9,7 +9,6 @@
 #include "physics/state.hpp"
 #include "simulation/local_surface.hpp"
 #include "simulation/mesh_assembly.hpp"
-#include "simulation/motion_exchange.hpp"
 #include "simulation/surface_frames.hpp"
 #include "simulation/surface_news.hpp"
 #include "topology/face_link.hpp"
@@ -80,11 +79,10 @@ double coat_bytes(const PartLoad& load, double opened) {
 
 double distribution_bytes(const PartLoad& load) {
     constexpr double per_entity = sizeof(EntityId) + sizeof(Rank) + sizeof(std::uint8_t);
-    constexpr double per_message = sizeof(MotionMessage) + sizeof(Vec3);
-    constexpr double per_sent = per_message + sizeof(LocalMass) + sizeof(physics::VertexSite);
-    constexpr double per_received = per_message + sizeof(std::uint8_t);
-    return number(load.local) * per_entity + number(load.received) * per_received + number(load.sent) * per_sent +
-           number(load.received + load.sent) * exchange_per_mass;
+    constexpr double per_mass = sizeof(physics::NextMotion) + exchange_per_mass;
+    constexpr double per_sent = sizeof(LocalMass) + sizeof(physics::VertexSite);
+    return number(load.local) * per_entity + number(load.received + load.sent) * per_mass +
+           number(load.sent) * per_sent;
 }
 
 /// Before the rank has anything else: the owner of every entity of the block, a mark for each, and on the root what METIS takes.

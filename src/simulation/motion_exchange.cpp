@@ -38,9 +38,7 @@ MotionExchange::MotionExchange(const partition::Communicator& comm, const physic
     : plan_{motion_plan(comm, network, decomposition)},
       next_{lattice, local_masses(decomposition, plan_.sent())},
       sent_(plan_.sent().size()),
-      received_(plan_.received().size()),
-      increments_(received_.size()),
-      labels_(received_.size()) {}
+      received_(plan_.received().size()) {}
 
 void MotionExchange::start(const physics::Network& network, physics::State& state) const {
     std::vector<physics::StartIncrements> sent;
@@ -53,20 +51,13 @@ void MotionExchange::start(const physics::Network& network, physics::State& stat
     physics::set_received(network, state, received);
 }
 
-std::span<const Vec3> MotionExchange::next_increments(const physics::Network& network, physics::State& state,
-                                                      Stopwatch& stopwatch) {
-    next_.find(network, state);
-    for (std::size_t i = 0; i < sent_.size(); ++i) {
-        sent_[i] = {next_.increment(i), static_cast<double>(state.unions.label(next_.masses()[i]))};
-    }
-    partition::PendingExchange pending = plan_.begin<MotionMessage>(sent_, received_);
+std::span<const physics::NextMotion> MotionExchange::next_motions(const physics::Network& network,
+                                                                  physics::State& state, Stopwatch& stopwatch) {
+    next_.find(network, state, sent_);
+    partition::PendingExchange pending = plan_.begin<physics::NextMotion>(sent_, received_);
     stopwatch.time(Phase::waiting, [&] { pending.end(); });
-    for (std::size_t i = 0; i < received_.size(); ++i) {
-        increments_[i] = received_[i].increment;
-        labels_[i] = static_cast<std::uint8_t>(received_[i].label);
-    }
-    physics::set_received_labels(network, state, labels_);
-    return increments_;
+    physics::set_received_labels(network, state, received_);
+    return received_;
 }
 
 }  // namespace cracksim::simulation

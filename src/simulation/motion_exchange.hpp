@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,13 +13,6 @@
 
 namespace cracksim::simulation {
 
-/// What a step sends of a mass: the next increment of its union, m, and its label, a small whole number. Doubles throughout, which
-/// PetscSF packs several at a time.
-struct MotionMessage {
-    Vec3 increment;
-    double label;
-};
-
 /// Brings the motion of the received masses from the owners of their entities. Keeps its lists from step to step.
 class MotionExchange {
 public:
@@ -32,18 +24,16 @@ public:
 
     /// Sets the start values of the received masses. Collective.
     void start(const physics::Network& network, physics::State& state) const;
-    /// Takes over the labels of the received masses; returns their next increments, m, in the order of Network::received, valid until
-    /// the next call. Books the time that it waits for other ranks. Collective.
-    [[nodiscard]] std::span<const Vec3> next_increments(const physics::Network& network, physics::State& state,
-                                                        Stopwatch& stopwatch);
+    /// Takes over the labels of the received masses; returns their next motions in the order of Network::received, valid until the next
+    /// call. Books the time that it waits for other ranks. Collective.
+    [[nodiscard]] std::span<const physics::NextMotion> next_motions(const physics::Network& network,
+                                                                    physics::State& state, Stopwatch& stopwatch);
 
 private:
     partition::ExchangePlan plan_;
-    physics::NextIncrements next_;
-    std::vector<MotionMessage> sent_;
-    std::vector<MotionMessage> received_;
-    std::vector<Vec3> increments_;
-    std::vector<std::uint8_t> labels_;
+    physics::NextMotions next_;
+    std::vector<physics::NextMotion> sent_;
+    std::vector<physics::NextMotion> received_;
 };
 
 }  // namespace cracksim::simulation

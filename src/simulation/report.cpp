@@ -63,7 +63,8 @@ io::Summary::Memory memory(const Simulation& simulation) {
 io::Summary::Exchange exchange(const Simulation& simulation) {
     const partition::ExchangePlan& plan = simulation.dynamics().plan();
     const std::int64_t values = simulation.comm().sum(plan.values_sent());
-    return {static_cast<double>(values) * sizeof(MotionMessage), simulation.comm().max(std::int64_t{plan.neighbours()}),
+    return {static_cast<double>(values) * sizeof(physics::NextMotion),
+            simulation.comm().max(std::int64_t{plan.neighbours()}),
             simulation.comm().max(simulation.stopwatch().in(Phase::waiting))};
 }
 

@@ -48,8 +48,8 @@ for ranks in 1 2 3 4 7; do
         compare "$scene" build/release/cracksim "$ranks" --set time.precision=single
     done
 done
-label=", SSE2"
+label=", SCALAR"
 for ranks in 1 2 7; do
-    compare block build/release/cracksim "$ranks" --simd SSE2
+    compare block build/release/cracksim "$ranks" --simd SCALAR
 done
 exit "$failed"

@@ -15,6 +15,6 @@ for ranks in 1 2 1 2; do
     CRACKSIM_SEED=$seed mpirun -n "$ranks" build/release/tests/verification_oracle_test --gtest_brief=1 --gtest_color=no || failed=1
     seed=$((seed + CRACKSIM_SCENES))
 done
-CRACKSIM_SIMD=SSE2 CRACKSIM_SCENES=200 CRACKSIM_SEED=$seed mpirun -n 2 build/release/tests/verification_oracle_test \
+CRACKSIM_SIMD=SCALAR CRACKSIM_SCENES=200 CRACKSIM_SEED=$seed mpirun -n 2 build/release/tests/verification_oracle_test \
     --gtest_brief=1 --gtest_color=no || failed=1
 exit "$failed"

@@ -26,6 +26,9 @@ PREPARED = {
     "socket": make_socket,
 }
 
+# Refused on one rank; three can hold it.
+FOR_ONE_RANK = {"more rows than can be numbered"}
+
 # Name, arguments, message.
 COMMANDS = [
     ("nothing", [], "no input is named; say cracksim INPUT.yaml, such as cracksim inputs/block.yaml"),

@@ -40,7 +40,7 @@ TEST(Advance, IsTheSchemeForEveryUnion) {
     }
 }
 
-TEST(NextIncrements, AreThoseOfTheAdvanceToTheLastBit) {
+TEST(NextMotions, AreThoseOfTheAdvanceToTheLastBit) {
     test::SerialBlock block;
     block.cells = {9, 3, 2};
     physics::Support pull{"pull", {Vec3{-1, -1, -1}, Vec3{0.5, 9, 9}}, {}};
@@ -55,11 +55,11 @@ TEST(NextIncrements, AreThoseOfTheAdvanceToTheLastBit) {
         State state{network, Scheme::cordis, 0.3, precision};
         test::shake(state, 0.1, 9);
         accumulate_forces(network, state, Measure::nothing);
-        NextIncrements next{state.lattice(), masses};
-        next.find(network, state);
+        std::vector<NextMotion> next(masses.size());
+        NextMotions{state.lattice(), masses}.find(network, state, next);
         advance(network, state, {}, Measure::nothing);
         for (std::size_t i = 0; i < masses.size(); ++i) {
-            EXPECT_EQ(next.increment(i), state.increment(state.unions.slot(masses[i])));
+            EXPECT_EQ(next[i].increment, state.increment(state.unions.slot(masses[i])));
         }
     }
 }

@@ -48,8 +48,8 @@ TEST(CommandLine, AnswersHelpAndVersion) {
     for (const char* flag : {"--help", "-h"}) {
         const auto answer = std::get<Answer>(parsed({flag}));
         EXPECT_EQ(answer.exit_code, 0);
-        for (const char* option :
-             {"INPUT.yaml", "--out", "--set", "--dry-run", "--audit", "--quiet", "--progress", "--simd", "--version", "--help"}) {
+        for (const char* option : {"INPUT.yaml", "--out", "--set", "--dry-run", "--audit", "--quiet", "--progress",
+                                   "--simd", "--version", "--help"}) {
             EXPECT_NE(answer.text.find(option), std::string::npos) << option;
         }
     }
