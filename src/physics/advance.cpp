@@ -22,7 +22,9 @@ namespace cracksim::physics::HWY_NAMESPACE {
 
 template <class Vector>
 HWY_INLINE Vector NextIncrement(Vector increment, Vector mobility, Vector force) {
-    return hn::MulAdd(mobility, force, increment);
+    // A sum of forces that was flushed to -0 becomes +0, as where zeros of other lanes were added to it.
+    const hn::DFromV<Vector> d;
+    return hn::MulAdd(mobility, hn::Add(force, hn::Zero(d)), increment);
 }
 
 template <bool kExtrapolate, class Real>

@@ -236,12 +236,19 @@ HWY_INLINE Stretched<Real> StretchOf(const SweepView<Real>& v, const From& from)
                       Sub(from.template VelocityIncrement<b>(), from.template VelocityIncrement<a>()));
 }
 
-/// Calls action(I) for the interactions that are carried, I being a constant. Lambdas left out of line would pass all vectors through
-/// memory.
+// Lambdas left out of line pass all vectors through memory; with sanitizers all in one function would compile for a quarter of an hour.
+#undef CRACKSIM_INLINE_LAMBDA
+#ifdef __SANITIZE_ADDRESS__
+#define CRACKSIM_INLINE_LAMBDA
+#else
+#define CRACKSIM_INLINE_LAMBDA __attribute__((always_inline))
+#endif
+
+/// Calls action(I) for the interactions that are carried, I being a constant.
 template <class Action>
 HWY_INLINE void ForEachCarried(unsigned carried, Action&& action) {
-    const auto call_all = [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
-        const auto call = [&](auto i) __attribute__((always_inline)) {
+    const auto call_all = [&]<std::size_t... I>(std::index_sequence<I...>) CRACKSIM_INLINE_LAMBDA {
+        const auto call = [&](auto i) CRACKSIM_INLINE_LAMBDA {
             if ((carried >> i & 1U) != 0) {
                 action(i);
             }
@@ -260,20 +267,17 @@ HWY_INLINE void AddCarried(const SweepView<Real>& v, unsigned carried, const Fro
     outcome = Nothing<Real>();
     Stretched<Real> stretched[HexahedronPairs::count];
     V<Real> factor[HexahedronPairs::count];
-    ForEachCarried(
-        carried, [&](auto i) __attribute__((always_inline)) { stretched[i] = StretchOf<i>(v, from); });
-    ForEachCarried(
-        carried, [&](auto i) __attribute__((always_inline)) {
-            factor[i] = Factor<i, false, kFar, kMeasure>(v.interaction[i], stretched[i], Weight<Real>(weights, i),
-                                                         limits, outcome);
-        });
-    ForEachCarried(
-        carried, [&](auto i) __attribute__((always_inline)) {
-            V3<Real>& first = forces.f[HexahedronPairs::corners[i][0]];
-            V3<Real>& second = forces.f[HexahedronPairs::corners[i][1]];
-            first = Plus(factor[i], stretched[i].distance, first);
-            second = Minus(factor[i], stretched[i].distance, second);
-        });
+    ForEachCarried(carried, [&](auto i) CRACKSIM_INLINE_LAMBDA { stretched[i] = StretchOf<i>(v, from); });
+    ForEachCarried(carried, [&](auto i) CRACKSIM_INLINE_LAMBDA {
+        factor[i] =
+            Factor<i, false, kFar, kMeasure>(v.interaction[i], stretched[i], Weight<Real>(weights, i), limits, outcome);
+    });
+    ForEachCarried(carried, [&](auto i) CRACKSIM_INLINE_LAMBDA {
+        V3<Real>& first = forces.f[HexahedronPairs::corners[i][0]];
+        V3<Real>& second = forces.f[HexahedronPairs::corners[i][1]];
+        first = Plus(factor[i], stretched[i].distance, first);
+        second = Minus(factor[i], stretched[i].distance, second);
+    });
 }
 
 /// In case of large stretches, the same with what holds everywhere.

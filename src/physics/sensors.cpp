@@ -11,7 +11,9 @@ namespace cracksim::physics {
 
 namespace {
 
-constexpr double margin = 1e-12;
+/// Of a length, for rounding. In single precision an extension x errs by seven roundings of products that are at most 8 (1 + x).
+constexpr double margin_in_double = 1e-12;
+constexpr double margin_in_single = 4e-6;
 
 /// The two masses that a sensor watches, and their distance at rest as a vector from Q to P.
 struct Reach {
@@ -53,7 +55,8 @@ bool triggers(const Network& network, const State& state, LocalDuplet d) {
 
 /// The extension |d|^2/L0^2 - 1 up to which both edges under a sensor may go before it can trigger: they are in line, so with stretches
 /// up to s the sum of their lengths is at most (1 + s) R0.
-double extension_limit(double lowest_threshold) {
+double extension_limit(double lowest_threshold, Precision precision) {
+    const double margin = precision == Precision::binary32 ? margin_in_single : margin_in_double;
     const double length = (1 + lowest_threshold) * (1 - margin);
     return length * length - 1;
 }
@@ -129,9 +132,6 @@ std::array<Vec3, 3> upward_reaches(const EntityModel& model) {
     return reach;
 }
 
-/// What the sweep's extension of an edge may err by, near any limit: |du| is at most about two edges there.
-double sweep_error(const State& state) { return state.motion.precision() == Precision::binary32 ? 4e-6 : 0.0; }
-
 float rounded_down(double limit) {
     const auto rounded = static_cast<float>(limit);
     return static_cast<double>(rounded) > limit ? std::nextafter(rounded, -1.0F) : rounded;
@@ -179,7 +179,7 @@ void Sensors::look_up(const Network& network, const State& state, Site site, int
         const Reach reach = reach_of(network, d);
         const LocalMass far = entity_of(reach.p) == copy ? reach.q : reach.p;
         now_.sensors.push_back({slot[1 - end], far, state.lattice().vertex(far), d,
-                                rounded_down(extension_limit(threshold(network, d))),
+                                rounded_down(extension_limit(threshold(network, d), state.motion.precision())),
                                 static_cast<std::uint8_t>(edge / HexahedronPairs::edges_per_axis), end == 1});
         ++found.sensors;
     });
@@ -217,7 +217,7 @@ void set_sensing_limits(const Network& network, LocalEntity e, State& state) {
             });
         }
         state.sensing.limit[(site / Lattice::lanes * 3 + static_cast<std::size_t>(axis)) * Lattice::lanes +
-                            site % Lattice::lanes] = rounded_down(extension_limit(lowest) - sweep_error(state));
+                            site % Lattice::lanes] = rounded_down(extension_limit(lowest, state.motion.precision()));
     }
 }
 

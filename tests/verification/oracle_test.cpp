@@ -37,11 +37,14 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
 void limit_instructions() {
     const char* value = std::getenv("CRACKSIM_SIMD");
     const std::string named = world().broadcast(value == nullptr ? std::string{} : value);
+    bool known = named.empty();
     for (const physics::SimdTarget& target : physics::simd_targets()) {
         if (target.name == named) {
             physics::limit_simd_target(world().min(std::min(target.number, physics::best_simd_target())));
+            known = true;
         }
     }
+    ASSERT_TRUE(known) << "CRACKSIM_SIMD=" << named << " is no target of this program";
 }
 
 /// What a campaign has seen.

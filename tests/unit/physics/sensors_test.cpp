@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "physics/force_sweep.hpp"
 #include "physics/split.hpp"
@@ -33,25 +34,35 @@ TEST(Prefilter, FindsWhatAllSensorsFindInRandomStates) {
     EXPECT_GT(found, 1000U);
 }
 
+/// A block stretched evenly along x, and moved; its threshold is some ulps beside that stretch.
+void expect_nothing_missed(double stretch, int ulps, Precision precision) {
+    double threshold = stretch;
+    for (int i = 0; i < std::abs(ulps); ++i) {
+        threshold = std::nextafter(threshold, ulps < 0 ? 0.0 : 100.0);
+    }
+    test::SerialBlock block;
+    block.cells = {6, 2, 2};
+    block.edge = {0.7, 1.1, 0.9};
+    block.thresholds.field = [threshold](Vec3) { return threshold; };
+    const Network network = block.network();
+    State state{network, Scheme::cordis, 0.3, precision};
+    std::mt19937_64 random{static_cast<std::uint64_t>(ulps + 3)};
+    std::uniform_real_distribution<double> moved{-3, 3};
+    const Vec3 away{moved(random), moved(random), moved(random)};
+    for (const Slot s : state.unions.advanced()) {
+        const double x = network.rest_position(state.unions.smallest_mass(s)).x;
+        state.set_displacement(s, away + Vec3{stretch * x, 0, 0});
+    }
+    accumulate_forces(network, state, Measure::nothing);
+    EXPECT_EQ(Sensors{Prefilter::on}.sense(network, state), Sensors{Prefilter::off}.sense(network, state))
+        << "stretch " << stretch << ", " << ulps << " ulps";
+}
+
 TEST(Prefilter, MissesNothingAtThresholdsOneUlpAway) {
-    for (int ulps = -3; ulps <= 3; ++ulps) {
-        const double stretch = 0.0123456789;
-        double threshold = stretch;
-        for (int i = 0; i < std::abs(ulps); ++i) {
-            threshold = std::nextafter(threshold, ulps < 0 ? 0.0 : 1.0);
-        }
-        test::SerialBlock block;
-        block.cells = {6, 2, 2};
-        block.thresholds.field = [threshold](Vec3) { return threshold; };
-        const Network network = block.network();
-        for (const Precision precision : test::both_precisions) {
-            State state{network, Scheme::cordis, 0.3, precision};
-            for (const Slot s : state.unions.advanced()) {
-                state.set_displacement(s, {stretch * network.rest_position(state.unions.smallest_mass(s)).x, 0, 0});
-            }
-            accumulate_forces(network, state, Measure::nothing);
-            EXPECT_EQ(Sensors{Prefilter::on}.sense(network, state), Sensors{Prefilter::off}.sense(network, state))
-                << ulps << " ulps";
+    for (const double stretch : {0.0123456789, 0.3, 1.0 / 0.97, 3.3, 10.7, 31.0}) {
+        for (int ulps = -3; ulps <= 3; ++ulps) {
+            expect_nothing_missed(stretch, ulps, Precision::binary64);
+            expect_nothing_missed(stretch, ulps, Precision::binary32);
         }
     }
 }
