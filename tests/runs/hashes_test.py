@@ -100,6 +100,9 @@ def simd_targets(workplace):
 
 def every_simd_target(workplace, quick):
     """The oldest instructions round otherwise; ranks and partitions still make no difference."""
+    if quick:
+        print("skipped every_simd_target: slow in this build", flush=True)
+        return
     oldest = simd_targets(workplace)[-1]
     for precision in ("double", "single"):
         scene = cracking_scene(time={"end": 0.06, "precision": precision})
@@ -111,7 +114,7 @@ def every_simd_target(workplace, quick):
             if target == oldest:
                 check(summary(directory)["provenance"]["simd_target"] == oldest, f"{oldest} is not what the summary names")
                 check(expected != with_best or used == oldest, f"{oldest} has the hashes of {used}")
-            for ranks in (3,) if quick else (2, 3, 7):
+            for ranks in (2, 3, 7):
                 compare(workplace, scene, expected, f"{target}, {precision}", "--audit", "--simd", target, "--set",
                         "partition.kind=random", ranks=ranks)
 
