@@ -82,14 +82,14 @@ def single_precision(workplace, quick):
     for scheme, more in (("cordis", {}), ("ab2", {"supports": supports})):
         scene = cracking_scene(time={"end": end, "scheme": scheme, "precision": "single"}, **more)
         expected = reference(workplace, scene, 100, f"{scheme} in single precision")
-        double = cracking_scene(time={"end": end, "scheme": scheme}, **more)
-        check(hashes(workplace.finished(double)) != expected, f"{scheme}: single precision has the hashes of double")
+        if not quick:
+            double = cracking_scene(time={"end": end, "scheme": scheme}, **more)
+            check(hashes(workplace.finished(double)) != expected, f"{scheme}: single precision has the hashes of double")
         for ranks in (3,) if quick else RANKS[1:]:
-            for partition in PARTITIONS:
+            for partition in PARTITIONS[-1:] if quick else PARTITIONS:
                 compare(workplace, scene, expected, f"{scheme} in single precision", "--audit", "--set",
-                        f"partition.kind={partition}", ranks=ranks)
-        compare(workplace, scene, expected, f"{scheme} in single precision, no prefilter", "--set",
-                "sensors.prefilter=false")
+                        f"partition.kind={partition}", "--set", f"sensors.prefilter={str(partition != 'slab').lower()}",
+                        ranks=ranks)
 
 
 def simd_targets(workplace):
