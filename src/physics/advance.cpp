@@ -391,7 +391,7 @@ void set_received_labels(const Network& network, State& state, std::span<const N
             continue;
         }
         const Slot before = state.unions.slot(m);
-        state.unions.set_received_label(m, static_cast<std::uint8_t>(label));
+        state.unions.set_received_label(m, label);
         state.motion.open(state.unions.slot(m));
         state.motion.copy(before, state.unions.slot(m));
         left.push_back(before);

@@ -19,8 +19,8 @@ struct NextMotion {
 /// One step of every union that this rank advances, from the forces of the last sweep:
 ///     w <- w + dt^2 F(u, w)/M,  u <- u + w,
 /// and the forces at the new state. Both go row by row, so that a motion is read and written once. Held components take their
-/// supports' motion, whose work is added to state.external. `received`: of the received masses, in the order of Network::received. A union whose increment is not finite or longer than 100 edges is noted in state.breakdown.
-/// state.step becomes n + 1.
+/// supports' motion, whose work is added to state.external. `received`: of the received masses, in the order of Network::received.
+/// A union whose increment is not finite or longer than 100 edges is noted in state.breakdown. state.step becomes n + 1.
 void advance(const Network& network, State& state, std::span<const NextMotion> received, Measure measure);
 
 /// Finds what the coming advance does to the unions of some masses, with its bits. Keeps where they are from step to step.

@@ -55,24 +55,28 @@ HWY_INLINE hn::Mask<D<Real>> AllButLast() {
     return hn::FirstN(D<Real>{}, vector_lanes<Real> - 1);
 }
 
+template <class Real>
+HWY_INLINE Real* BlockAt(const SweepView<Real>& v, std::int32_t index) {
+    return v.blocks + static_cast<std::size_t>(index) * v.block_size;
+}
+
 /// Calls action(place, lanes) for each block that holds the corner of some entities, lanes being the mask of these: where the first
 /// lane is. Of a corner that crosses without the last lane; for that one calls last(place).
 template <class Action, class Last, class Real>
 HWY_INLINE void ForEachBlock(const SweepView<Real>& v, const VectorCorner& corner, Action&& action, Last&& last) {
     const std::int32_t* block_of = v.block_of + corner.vertex / Lattice::lanes * planes;
-    const auto block = [&](std::int32_t index) { return v.blocks + static_cast<std::size_t>(index) * v.block_size; };
     for (unsigned bits = corner.planes & ~(1U << base_plane); bits != 0; bits &= bits - 1) {
         const auto plane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
         // None: only the last lane, in the next group, has its corner in this plane.
         if (block_of[plane] >= 0) {
             const auto lanes = corner.InPlane<Real>(plane);
-            action(block(block_of[plane]) + corner.vertex % Lattice::lanes,
+            action(BlockAt(v, block_of[plane]) + corner.vertex % Lattice::lanes,
                    corner.crosses ? hn::And(lanes, AllButLast<Real>()) : lanes);
         }
     }
     const std::size_t last_plane = corner.lane_planes[vector_lanes<Real> - 1];
     if (corner.crosses && last_plane != base_plane) {
-        last(block(block_of[planes + last_plane]));
+        last(BlockAt(v, block_of[planes + last_plane]));
     }
 }
 
@@ -81,10 +85,9 @@ template <class First, class Last, class Real>
 HWY_INLINE void OfOnePlane(const SweepView<Real>& v, const VectorCorner& corner, First&& first, Last&& last) {
     const auto plane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(corner.planes));
     const std::int32_t* block_of = v.block_of + corner.vertex / Lattice::lanes * planes + plane;
-    const auto block = [&](std::int32_t index) { return v.blocks + static_cast<std::size_t>(index) * v.block_size; };
-    first(block(block_of[0]) + corner.vertex % Lattice::lanes);
+    first(BlockAt(v, block_of[0]) + corner.vertex % Lattice::lanes);
     if (corner.crosses) {
-        last(block(block_of[planes]));
+        last(BlockAt(v, block_of[planes]));
     }
 }
 

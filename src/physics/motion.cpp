@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t lanes = Lattice::lanes;
 
-/// In whole cache lines, and so that the components of a vertex fall on different sets of the cache.
+/// In whole vectors, of doubles in whole cache lines, and so that the components of a vertex fall on different sets of the cache.
 std::size_t stride_for(std::size_t sites) {
     constexpr std::size_t lines_of_page = 64;
     constexpr std::size_t apart = 11;

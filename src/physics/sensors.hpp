@@ -18,7 +18,7 @@ enum class Prefilter { on, off };
 /// threshold: ((2 D0 + dU).dU)/(|D| + R0) > s R0.
 ///
 /// The prefilter looks only where the force sweep found an edge stretched enough. It is exact: |PQ| <= l1 + l2, so no sensor
-/// triggers while l1 + l2 <= (1 + s) R0; a margin of 1e-12 covers rounding. All sensors that trigger act together.
+/// triggers while l1 + l2 <= (1 + s) R0; a margin of 1e-12, in single precision 4e-6, covers rounding. All sensors that trigger act together.
 class Sensors {
 public:
     explicit Sensors(Prefilter prefilter) : prefilter_{prefilter} {}

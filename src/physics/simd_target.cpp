@@ -2,6 +2,8 @@
 
 #include <hwy/targets.h>
 
+#include <algorithm>
+
 namespace cracksim::physics {
 
 namespace {
@@ -21,6 +23,12 @@ std::vector<SimdTarget> simd_targets() {
         targets.push_back({hwy::TargetName(target), -target});
     }
     return targets;
+}
+
+std::optional<std::int64_t> simd_target_named(std::string_view name) {
+    const std::vector<SimdTarget> targets = simd_targets();
+    const auto found = std::ranges::find(targets, name, &SimdTarget::name);
+    return found == targets.end() ? std::nullopt : std::optional{found->number};
 }
 
 std::int64_t best_simd_target() { return -target_in_use(); }

@@ -97,14 +97,10 @@ Slot UnionTable::assign(std::span<const LocalMass> part) {
     return slot_of(v, plane);
 }
 
-bool UnionTable::set_received_label(LocalMass m, std::uint8_t label) {
-    CRACKSIM_EXPECT(!is_touched(lattice_.vertex(m)) && label < planes);
-    if (label_[m.index()] == label) {
-        return false;
-    }
-    label_[m.index()] = label;
+void UnionTable::set_received_label(LocalMass m, int label) {
+    CRACKSIM_EXPECT(!is_touched(lattice_.vertex(m)) && label >= 0 && label < planes);
+    label_[m.index()] = static_cast<std::uint8_t>(label);
     update_half(lattice_.site(entity_of(m)).index() / Lattice::half, corner_of(m));
-    return true;
 }
 
 void UnionTable::update_half(std::size_t half, int corner) {

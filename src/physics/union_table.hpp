@@ -54,8 +54,8 @@ public:
 
     /// Makes some masses of a touched vertex (ascending) a union of their own; returns its slot.
     Slot assign(std::span<const LocalMass> part);
-    /// Takes over the label of a received mass; true if it is another one. Its motion is not moved.
-    bool set_received_label(LocalMass m, std::uint8_t label);
+    /// Takes over the label of a received mass. Its motion is not moved.
+    void set_received_label(LocalMass m, int label);
 
     [[nodiscard]] std::size_t memory_bytes() const;
 

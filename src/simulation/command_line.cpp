@@ -120,12 +120,12 @@ ProgressStyle progress_style(const std::string& name) {
 }
 
 std::int64_t simd_target(const std::string& name) {
-    std::vector<std::string_view> names;
+    if (const auto number = physics::simd_target_named(name)) {
+        return *number;
+    }
     const std::vector<physics::SimdTarget> targets = physics::simd_targets();
+    std::vector<std::string_view> names;
     for (const physics::SimdTarget& target : targets) {
-        if (target.name == name) {
-            return target.number;
-        }
         names.push_back(target.name);
     }
     throw InputError{"--simd: does not know '" + name + "'; " + io::suggestion(name, names, "take one of")};

@@ -8,6 +8,8 @@ from runner import Failure, check, cracking_scene, frame_cells, last_frame, main
 
 RANKS = (1, 2, 3, 4, 7)
 PARTITIONS = ("metis", "slab", "random")
+PULLED = [{"name": "left", "where": {"box": [[-1, -1, -1], [0.005, 1, 1]]}, "velocity": [0, 0, None]},
+          {"name": "right", "where": {"box": [[0.075, -1, -1], [1, 1, 1]]}, "velocity": ["0.3*(1+t)", 0, 0]}]
 
 
 def hashes(directory):
@@ -64,10 +66,7 @@ def prefilter_on_and_off(workplace, quick):
 
 
 def scheme_ab2_with_supports(workplace, quick):
-    scene = cracking_scene(
-        supports=[{"name": "left", "where": {"box": [[-1, -1, -1], [0.005, 1, 1]]}, "velocity": [0, 0, None]},
-                  {"name": "right", "where": {"box": [[0.075, -1, -1], [1, 1, 1]]}, "velocity": ["0.3*(1+t)", 0, 0]}],
-        time={"end": 0.06, "scheme": "ab2"})
+    scene = cracking_scene(supports=PULLED, time={"end": 0.06, "scheme": "ab2"})
     expected = reference(workplace, scene, 100, "ab2 with supports")
     for ranks in (3,) if quick else RANKS[1:]:
         for partition in PARTITIONS:
@@ -76,14 +75,11 @@ def scheme_ab2_with_supports(workplace, quick):
 
 
 def single_precision(workplace, quick):
-    end = 0.06
-    supports = [{"name": "left", "where": {"box": [[-1, -1, -1], [0.005, 1, 1]]}, "velocity": [0, 0, None]},
-                {"name": "right", "where": {"box": [[0.075, -1, -1], [1, 1, 1]]}, "velocity": ["0.3*(1+t)", 0, 0]}]
-    for scheme, more in (("cordis", {}), ("ab2", {"supports": supports})):
-        scene = cracking_scene(time={"end": end, "scheme": scheme, "precision": "single"}, **more)
+    for scheme, more in (("cordis", {}), ("ab2", {"supports": PULLED})):
+        scene = cracking_scene(time={"end": 0.06, "scheme": scheme, "precision": "single"}, **more)
         expected = reference(workplace, scene, 100, f"{scheme} in single precision")
         if not quick:
-            double = cracking_scene(time={"end": end, "scheme": scheme}, **more)
+            double = cracking_scene(time={"end": 0.06, "scheme": scheme}, **more)
             check(hashes(workplace.finished(double)) != expected, f"{scheme}: single precision has the hashes of double")
         for ranks in (3,) if quick else RANKS[1:]:
             for partition in PARTITIONS[-1:] if quick else PARTITIONS:

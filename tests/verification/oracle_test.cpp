@@ -1,5 +1,5 @@
 // Random scenes, computed by cracksim from their text and by the oracle from their meaning.
-// CRACKSIM_SIMD: a SIMD target that is not exceeded. CRACKSIM_SCENES: how many; CRACKSIM_SEED: the first seed, each scene takes the next.
+// CRACKSIM_SCENES: how many; CRACKSIM_SEED: the first seed, each scene takes the next; CRACKSIM_SIMD: a SIMD target not to exceed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,14 +37,12 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
 void limit_instructions() {
     const char* value = std::getenv("CRACKSIM_SIMD");
     const std::string named = world().broadcast(value == nullptr ? std::string{} : value);
-    bool known = named.empty();
-    for (const physics::SimdTarget& target : physics::simd_targets()) {
-        if (target.name == named) {
-            physics::limit_simd_target(world().min(std::min(target.number, physics::best_simd_target())));
-            known = true;
-        }
+    if (named.empty()) {
+        return;
     }
-    ASSERT_TRUE(known) << "CRACKSIM_SIMD=" << named << " is no target of this program";
+    const auto target = physics::simd_target_named(named);
+    ASSERT_TRUE(target) << "CRACKSIM_SIMD=" << named << " is no target of this program";
+    physics::limit_simd_target(world().min(std::min(*target, physics::best_simd_target())));
 }
 
 /// What a campaign has seen.
