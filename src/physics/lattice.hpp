@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/block.hpp"
+#include "core/hexahedron.hpp"
 #include "core/id_array.hpp"
 #include "core/ids.hpp"
 
@@ -25,6 +26,8 @@ public:
     static constexpr int half = lanes / 2;
     /// Vertex rows that a row of cells meets, by lower/upper y + 2 * lower/upper z.
     static constexpr std::size_t sides = 4;
+    /// The corners that meet at a vertex, in ascending order of their entities.
+    static constexpr std::array<int, Hexahedron::corners> ascending{6, 7, 5, 4, 2, 3, 1, 0};
 
     struct CellRow {
         std::int32_t first_batch;
@@ -78,6 +81,26 @@ public:
         }
         const LocalEntity e = entity(s);
         return e == LocalEntity{} ? LocalMass{} : local_mass(e, corner);
+    }
+
+    /// Calls action(mass) for the local masses at a vertex, ascending.
+    template <class Action>
+    void for_each_mass_at(VertexSite v, Action&& action) const {
+        for (const int corner : ascending) {
+            if (const LocalMass m = mass_at(v, corner); m != LocalMass{}) {
+                action(m);
+            }
+        }
+    }
+
+    /// None if no entity at the vertex is local.
+    [[nodiscard]] LocalMass smallest_at(VertexSite v) const {
+        for (const int corner : ascending) {
+            if (const LocalMass m = mass_at(v, corner); m != LocalMass{}) {
+                return m;
+            }
+        }
+        return LocalMass{};
     }
 
     [[nodiscard]] std::size_t memory_bytes() const;

@@ -24,7 +24,7 @@ constexpr int edge_from(int corner, int axis) {
 
 EdgeCopies edge_copies(const UnionTable& unions, VertexSite lower, int axis) {
     EdgeCopies found;
-    for (const int corner : UnionTable::ascending) {
+    for (const int corner : Lattice::ascending) {
         const LocalMass m = is_lower(corner, axis) ? unions.lattice().mass_at(lower, corner) : LocalMass{};
         if (m != LocalMass{}) {
             const LocalMass other = local_mass(entity_of(m), Hexahedron::across(corner, axis));
@@ -100,7 +100,7 @@ void Merging::update_edge(const UnionTable& unions, VertexSite lower, int axis) 
 void Merging::update(const UnionTable& unions, VertexSite v) {
     for (int axis = 0; axis < 3; ++axis) {
         update_edge(unions, v, axis);
-        for (const int corner : UnionTable::ascending) {
+        for (const int corner : Lattice::ascending) {
             const LocalMass m = is_lower(corner, axis) ? LocalMass{} : unions.lattice().mass_at(v, corner);
             if (m != LocalMass{}) {
                 update_edge(unions, unions.lattice().vertex(local_mass(entity_of(m), Hexahedron::across(corner, axis))),

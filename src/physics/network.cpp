@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "core/contracts.hpp"
@@ -22,33 +21,21 @@ Network::Network(const Block& block, const EntityModel& model, IdArray<LocalEnti
       model_{model},
       entities_{std::move(entities)},
       owned_{std::move(owned)},
+      lattice_{std::make_shared<const Lattice>(block, entities_)},
       supports_{std::move(supports)} {
     CRACKSIM_EXPECT(std::ranges::is_sorted(entities_.span()) && owned_.size() == entities_.size());
-    find_unions();
+    find_received();
     find_interfaces();
     find_duplets(duplets);
     set_thresholds(thresholds);
 }
 
-void Network::find_unions() {
-    std::vector<std::pair<VertexId, LocalMass>> corners;
-    corners.reserve(static_cast<std::size_t>(mass_count()));
-    for (LocalMass m{0}; m.value() < mass_count(); ++m) {
-        corners.emplace_back(block_.vertex(entities_[entity_of(m)], corner_of(m)), m);
-    }
-    std::ranges::sort(corners);
-    union_begin_.push_back(0);
-    for (auto first = corners.begin(); first != corners.end();) {
-        const auto last = std::find_if(first, corners.end(), [&](const auto& c) { return c.first != first->first; });
-        const bool touched = std::any_of(first, last, [&](const auto& c) { return owned(entity_of(c.second)); });
-        for (auto c = first; c != last; ++c) {
-            (touched ? union_masses_ : received_).push_back(c->second);
+void Network::find_received() {
+    for_each_vertex([&](std::span<const LocalMass> masses, bool touched) {
+        if (!touched) {
+            received_.insert(received_.end(), masses.begin(), masses.end());
         }
-        if (touched) {
-            union_begin_.push_back(union_masses_.size());
-        }
-        first = last;
-    }
+    });
     std::ranges::sort(received_);
 }
 
@@ -87,19 +74,19 @@ std::optional<Tie> Network::tie_over(LocalMass m, int face) const {
 
 void Network::find_duplets(Duplets duplets) {
     touched_duplets_.assign(interfaces_.size(), 0);
-    for (std::size_t u = 0; u < union_count(); ++u) {
+    for_each_union([&](std::span<const LocalMass> masses) {
         if (duplets == Duplets::tree) {
-            add_tree(union_masses(u));
-            continue;
+            add_tree(masses);
+            return;
         }
-        for (const LocalMass m : union_masses(u)) {
+        for (const LocalMass m : masses) {
             for (int face = 0; face < Hexahedron::faces; ++face) {
                 if (const auto tie = tie_over(m, face)) {
                     add_duplet(tie->duplet);
                 }
             }
         }
-    }
+    });
 }
 
 void Network::add_duplet(LocalDuplet duplet) {
@@ -126,7 +113,7 @@ void Network::add_tree(std::span<const LocalMass> masses) {
 }
 
 void Network::set_thresholds(const Thresholds& thresholds) {
-    threshold_.assign(interfaces_.size() * duplets_per_interface, std::numeric_limits<double>::quiet_NaN());
+    bool is_first = true;
     for (std::size_t i = 0; i < interfaces_.size(); ++i) {
         for (int k = 0; k < duplets_per_interface; ++k) {
             if (!has_touched_duplet(static_cast<std::int32_t>(i), k)) {
@@ -136,7 +123,8 @@ void Network::set_thresholds(const Thresholds& thresholds) {
             const LocalMass b = local_mass(interfaces_[i].b, interfaces_[i].corner_b(k));
             const Vec3 at = rest_position(a);
             const double value = thresholds.of(mass(a), mass(b), at);
-            threshold_[i * duplets_per_interface + static_cast<std::size_t>(k)] = value;
+            set_threshold(LocalDuplet{static_cast<std::int32_t>(i) * duplets_per_interface + k}, value, is_first);
+            is_first = false;
             if (!(value > 0) && !invalid_threshold_) {
                 invalid_threshold_ = "the threshold at x = " + rounded(at.x, 6) + ", y = " + rounded(at.y, 6) +
                                      ", z = " + rounded(at.z, 6) + " m is " +
@@ -146,11 +134,22 @@ void Network::set_thresholds(const Thresholds& thresholds) {
     }
 }
 
+/// In ascending order. Most blocks have one threshold: a list is made when there is a second one.
+void Network::set_threshold(LocalDuplet duplet, double threshold, bool is_first) {
+    if (is_first) {
+        uniform_threshold_ = threshold;
+    } else if (threshold_.empty() && threshold != uniform_threshold_) {
+        threshold_.assign(interfaces_.size() * duplets_per_interface, uniform_threshold_);
+    }
+    if (!threshold_.empty()) {
+        threshold_[duplet.index()] = threshold;
+    }
+}
+
 std::size_t Network::memory_bytes() const {
     return entities_.bytes() + owned_.bytes() + interfaces_.capacity() * sizeof(Interface) +
            interface_of_face_.capacity() * sizeof(std::int32_t) + threshold_.capacity() * sizeof(double) +
-           touched_duplets_.capacity() + union_begin_.capacity() * sizeof(std::size_t) +
-           (union_masses_.capacity() + received_.capacity()) * sizeof(LocalMass);
+           touched_duplets_.capacity() + lattice_->memory_bytes() + received_.capacity() * sizeof(LocalMass);
 }
 
 }  // namespace cracksim::physics

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 #include "core/id_array.hpp"
 #include "core/ids.hpp"
 #include "physics/entity_model.hpp"
+#include "physics/lattice.hpp"
 #include "physics/thresholds.hpp"
 
 namespace cracksim::physics {
@@ -110,9 +112,9 @@ public:
     /// The mass that meets this one over a face, and the duplet that would tie them; none where there is no interface or
     /// the mass is not on the face.
     [[nodiscard]] std::optional<Tie> tie_over(LocalMass m, int face) const;
-    /// Threshold, a stretch, of duplet k of an interface; NaN where there is none, or its union is not touched.
-    [[nodiscard]] double threshold(std::int32_t interface, int k) const {
-        return threshold_[static_cast<std::size_t>(interface) * duplets_per_interface + static_cast<std::size_t>(k)];
+    /// Threshold, a stretch, of a duplet that ties masses of a touched union.
+    [[nodiscard]] double threshold(LocalDuplet d) const {
+        return threshold_.empty() ? uniform_threshold_ : threshold_[d.index()];
     }
     /// Bit k is set where duplet k of an interface exists and ties masses of a touched union.
     [[nodiscard]] std::uint8_t touched_duplets(std::int32_t interface) const {
@@ -122,10 +124,18 @@ public:
         return ((static_cast<unsigned>(touched_duplets(interface)) >> static_cast<unsigned>(k)) & 1U) != 0;
     }
 
-    [[nodiscard]] std::size_t union_count() const { return union_begin_.size() - 1; }
-    /// Masses of a touched union, ascending. Unions stand in the order of their vertices.
-    [[nodiscard]] std::span<const LocalMass> union_masses(std::size_t u) const {
-        return std::span{union_masses_}.subspan(union_begin_[u], union_begin_[u + 1] - union_begin_[u]);
+    [[nodiscard]] const Lattice& lattice() const { return *lattice_; }
+    /// The same; it does not move with the network.
+    [[nodiscard]] const std::shared_ptr<const Lattice>& shared_lattice() const { return lattice_; }
+    /// Calls action(masses) with the masses, ascending, of each touched union at the start: those of a mass that this rank owns. All
+    /// their masses are local.
+    template <class Action>
+    void for_each_union(Action&& action) const {
+        for_each_vertex([&](std::span<const LocalMass> masses, bool touched) {
+            if (touched) {
+                action(masses);
+            }
+        });
     }
     /// Local masses of unions that are not touched, ascending: their motion comes from the owners of their entities.
     [[nodiscard]] const std::vector<LocalMass>& received() const { return received_; }
@@ -137,24 +147,42 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
-    void find_unions();
+    void find_received();
+    /// Calls action(masses, touched) with the local masses at each vertex that has some, ascending.
+    template <class Action>
+    void for_each_vertex(Action&& action) const {
+        std::vector<LocalMass> masses;
+        const auto count = static_cast<std::int32_t>(lattice_->vertex_sites());
+        for (VertexSite v{0}; v.value() < count; ++v) {
+            masses.clear();
+            bool touched = false;
+            lattice_->for_each_mass_at(v, [&](LocalMass m) {
+                masses.push_back(m);
+                touched = touched || owned(entity_of(m));
+            });
+            if (!masses.empty()) {
+                action(std::span<const LocalMass>{masses}, touched);
+            }
+        }
+    }
     void find_interfaces();
     void find_duplets(Duplets duplets);
     void add_duplet(LocalDuplet duplet);
     void add_tree(std::span<const LocalMass> masses);
     void set_thresholds(const Thresholds& thresholds);
+    void set_threshold(LocalDuplet duplet, double threshold, bool is_first);
 
     Block block_;
     EntityModel model_;
     IdArray<LocalEntity, EntityId> entities_;
     IdArray<LocalEntity, std::uint8_t> owned_;
+    std::shared_ptr<const Lattice> lattice_;
     std::vector<Support> supports_;
     std::vector<Interface> interfaces_;
     std::vector<std::int32_t> interface_of_face_;
-    std::vector<double> threshold_;
+    std::vector<double> threshold_;  ///< by duplet; empty: all are uniform_threshold_
+    double uniform_threshold_{0};
     std::vector<std::uint8_t> touched_duplets_;
-    std::vector<std::size_t> union_begin_;
-    std::vector<LocalMass> union_masses_;
     std::vector<LocalMass> received_;
     std::optional<std::string> invalid_threshold_;
 };

@@ -27,10 +27,6 @@ void sort_and_make_unique(auto& list) {
     list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-double threshold(const Network& network, LocalDuplet d) {
-    return network.threshold(d.value() / Network::duplets_per_interface, d.value() % Network::duplets_per_interface);
-}
-
 Reach reach_of(const Network& network, LocalDuplet d) {
     const Interface& face = network.interfaces()[d.index() / Network::duplets_per_interface];
     const int k = d.value() % Network::duplets_per_interface;
@@ -50,7 +46,7 @@ bool triggers(const Network& network, const State& state, LocalDuplet d) {
     const Vec3 distance = reach.rest + du;
     const double rest = norm(reach.rest);
     const double elongation = dot(reach.rest + distance, du) / (norm(distance) + rest);
-    return elongation > threshold(network, d) * rest;
+    return elongation > network.threshold(d) * rest;
 }
 
 /// The extension |d|^2/L0^2 - 1 up to which both edges under a sensor may go before it can trigger: they are in line, so with stretches
@@ -179,7 +175,7 @@ void Sensors::look_up(const Network& network, const State& state, Site site, int
         const Reach reach = reach_of(network, d);
         const LocalMass far = entity_of(reach.p) == copy ? reach.q : reach.p;
         now_.sensors.push_back({slot[1 - end], far, state.lattice().vertex(far), d,
-                                rounded_down(extension_limit(threshold(network, d), state.motion.precision())),
+                                rounded_down(extension_limit(network.threshold(d), state.motion.precision())),
                                 static_cast<std::uint8_t>(edge / HexahedronPairs::edges_per_axis), end == 1});
         ++found.sensors;
     });
@@ -212,7 +208,7 @@ void set_sensing_limits(const Network& network, LocalEntity e, State& state) {
              ++edge) {
             watched.remove(static_cast<std::size_t>(edge), bit);
             for_each_sensor(network, state, e, edge, [&](LocalDuplet d, std::size_t, LocalEntity) {
-                lowest = std::min(lowest, threshold(network, d));
+                lowest = std::min(lowest, network.threshold(d));
                 watched.add(static_cast<std::size_t>(edge), bit);
             });
         }

@@ -8,46 +8,27 @@
 namespace cracksim::physics {
 
 UnionTable::UnionTable(const Network& network)
-    : lattice_{network.block(), network.entities()},
+    : lattice_{network.shared_lattice()},
       label_(static_cast<std::size_t>(network.mass_count())),
-      touched_(lattice_.vertex_sites(), 0),
-      in_use_(lattice_.vertex_sites(), 0),
-      half_planes_(lattice_.halves() * Hexahedron::corners),
-      lane_planes_(lattice_.batches() * Hexahedron::corners * lanes) {
-    find_labels(network);
-    for (std::size_t half = 0; half < lattice_.halves(); ++half) {
+      in_use_(lattice_->vertex_sites(), 0),
+      half_planes_(lattice_->halves() * Hexahedron::corners),
+      lane_planes_(lattice_->batches() * Hexahedron::corners * lanes) {
+    for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
+        const bool alone = network.block().is_corner(network.entity(entity_of(m)), corner_of(m));
+        label_[m.index()] = static_cast<std::uint8_t>(alone ? corner_of(m) : base_plane);
+    }
+    network.for_each_union([&](std::span<const LocalMass> masses) { find_planes(lattice_->vertex(masses.front())); });
+    for (std::size_t half = 0; half < lattice_->halves(); ++half) {
         for (int corner = 0; corner < Hexahedron::corners; ++corner) {
             update_half(half, corner);
         }
     }
 }
 
-void UnionTable::find_labels(const Network& network) {
-    for (std::size_t u = 0; u < network.union_count(); ++u) {
-        touched_[lattice_.vertex(network.union_masses(u).front()).index()] = 1;
-    }
-    for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
-        const bool alone = network.block().is_corner(network.entity(entity_of(m)), corner_of(m));
-        label_[m.index()] = static_cast<std::uint8_t>(alone ? corner_of(m) : base_plane);
-    }
-    for (VertexSite v{0}; v.index() < touched_.size(); ++v) {
-        find_planes(v);
-    }
-}
-
 LocalMass UnionTable::smallest_mass(Slot s) const {
-    for (const int corner : ascending) {
-        const LocalMass m = lattice_.mass_at(vertex_of(s), corner);
+    for (const int corner : Lattice::ascending) {
+        const LocalMass m = lattice_->mass_at(vertex_of(s), corner);
         if (m != LocalMass{} && label(m) == plane_of(s)) {
-            return m;
-        }
-    }
-    return LocalMass{};
-}
-
-LocalMass UnionTable::smallest_at(VertexSite v) const {
-    for (const int corner : ascending) {
-        if (const LocalMass m = lattice_.mass_at(v, corner); m != LocalMass{}) {
             return m;
         }
     }
@@ -67,7 +48,7 @@ int UnionTable::mass_count(Slot s) const {
 
 std::vector<Slot> UnionTable::advanced() const {
     std::vector<Slot> all;
-    for (VertexSite v{0}; v.index() < touched_.size(); ++v) {
+    for (VertexSite v{0}; v.index() < in_use_.size(); ++v) {
         for (unsigned in_use = in_use_[v.index()]; in_use != 0; in_use &= in_use - 1) {
             all.push_back(slot_of(v, std::countr_zero(in_use)));
         }
@@ -77,30 +58,27 @@ std::vector<Slot> UnionTable::advanced() const {
 
 void UnionTable::find_planes(VertexSite v) {
     unsigned in_use = 0;
-    for (int corner = 0; is_touched(v) && corner < Hexahedron::corners; ++corner) {
-        const LocalMass m = lattice_.mass_at(v, corner);
-        in_use |= m == LocalMass{} ? 0U : 1U << static_cast<unsigned>(label(m));
-    }
+    lattice_->for_each_mass_at(v, [&](LocalMass m) { in_use |= 1U << static_cast<unsigned>(label(m)); });
     in_use_[v.index()] = static_cast<std::uint8_t>(in_use);
 }
 
 Slot UnionTable::assign(std::span<const LocalMass> part) {
     CRACKSIM_EXPECT(!part.empty() && std::ranges::is_sorted(part));
-    const VertexSite v = lattice_.vertex(part.front());
+    const VertexSite v = lattice_->vertex(part.front());
     const bool alone = part.size() == 1;
-    const int plane = !alone && part.front() == smallest_at(v) ? base_plane : corner_of(part.front());
+    const int plane = !alone && part.front() == lattice_->smallest_at(v) ? base_plane : corner_of(part.front());
     for (const LocalMass m : part) {
         label_[m.index()] = static_cast<std::uint8_t>(plane);
-        update_half(lattice_.site(entity_of(m)).index() / Lattice::half, corner_of(m));
+        update_half(lattice_->site(entity_of(m)).index() / Lattice::half, corner_of(m));
     }
     find_planes(v);
     return slot_of(v, plane);
 }
 
 void UnionTable::set_received_label(LocalMass m, int label) {
-    CRACKSIM_EXPECT(!is_touched(lattice_.vertex(m)) && label >= 0 && label < planes);
+    CRACKSIM_EXPECT(!is_touched(lattice_->vertex(m)) && label >= 0 && label < planes);
     label_[m.index()] = static_cast<std::uint8_t>(label);
-    update_half(lattice_.site(entity_of(m)).index() / Lattice::half, corner_of(m));
+    update_half(lattice_->site(entity_of(m)).index() / Lattice::half, corner_of(m));
 }
 
 void UnionTable::update_half(std::size_t half, int corner) {
@@ -109,7 +87,7 @@ void UnionTable::update_half(std::size_t half, int corner) {
     std::uint8_t* plane = lane_planes_.data() + (first / lanes * Hexahedron::corners + c) * lanes + first % lanes;
     unsigned in_use = 0;
     for (std::size_t lane = 0; lane < Lattice::half; ++lane) {
-        const LocalEntity e = lattice_.entity(Site{static_cast<std::int32_t>(first + lane)});
+        const LocalEntity e = lattice_->entity(Site{static_cast<std::int32_t>(first + lane)});
         plane[lane] = static_cast<std::uint8_t>(e == LocalEntity{} ? base_plane : label(local_mass(e, corner)));
         in_use |= 1U << plane[lane];
     }
@@ -117,8 +95,7 @@ void UnionTable::update_half(std::size_t half, int corner) {
 }
 
 std::size_t UnionTable::memory_bytes() const {
-    return lattice_.memory_bytes() + label_.capacity() + touched_.capacity() + in_use_.capacity() +
-           half_planes_.capacity() + lane_planes_.capacity();
+    return label_.capacity() + in_use_.capacity() + half_planes_.capacity() + lane_planes_.capacity();
 }
 
 }  // namespace cracksim::physics

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,27 +19,24 @@ namespace cracksim::physics {
 class UnionTable {
 public:
     static constexpr int lanes = Lattice::lanes;
-    /// The corners that meet at a vertex, in ascending order of their entities.
-    static constexpr std::array<int, Hexahedron::corners> ascending{6, 7, 5, 4, 2, 3, 1, 0};
 
     explicit UnionTable(const Network& network);
 
-    [[nodiscard]] const Lattice& lattice() const { return lattice_; }
+    [[nodiscard]] const Lattice& lattice() const { return *lattice_; }
     [[nodiscard]] int label(LocalMass m) const { return label_[m.index()]; }
     /// Touched: this rank advances the unions of the vertex, and has all their masses.
-    [[nodiscard]] bool is_touched(VertexSite v) const { return touched_[v.index()] != 0; }
-    [[nodiscard]] Slot slot(LocalMass m) const { return slot_of(lattice_.vertex(m), label(m)); }
+    [[nodiscard]] bool is_touched(VertexSite v) const { return in_use_[v.index()] != 0; }
+    [[nodiscard]] Slot slot(LocalMass m) const { return slot_of(lattice_->vertex(m), label(m)); }
     /// Of its local masses; none if the slot is empty.
     [[nodiscard]] LocalMass smallest_mass(Slot s) const;
     /// Calls action(mass) for the masses of an advanced union, ascending.
     template <class Action>
     void for_each_mass(Slot s, Action&& action) const {
-        for (const int corner : ascending) {
-            const LocalMass m = lattice_.mass_at(vertex_of(s), corner);
-            if (m != LocalMass{} && label(m) == plane_of(s)) {
+        lattice_->for_each_mass_at(vertex_of(s), [&](LocalMass m) {
+            if (label(m) == plane_of(s)) {
                 action(m);
             }
-        }
+        });
     }
     /// The same masses in a list, which is cleared first.
     void masses(Slot s, std::vector<LocalMass>& found) const;
@@ -60,15 +58,12 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
-    [[nodiscard]] LocalMass smallest_at(VertexSite v) const;
-    void find_labels(const Network& network);
     void find_planes(VertexSite v);
     void update_half(std::size_t half, int corner);
 
-    Lattice lattice_;
-    std::vector<std::uint8_t> label_;    ///< by local mass
-    std::vector<std::uint8_t> touched_;  ///< by vertex site
-    std::vector<std::uint8_t> in_use_;   ///< by vertex site: bit p is set where plane p holds an advanced union
+    std::shared_ptr<const Lattice> lattice_;
+    std::vector<std::uint8_t> label_;   ///< by local mass
+    std::vector<std::uint8_t> in_use_;  ///< by vertex site: bit p is set where plane p holds an advanced union
     std::vector<std::uint8_t> half_planes_;
     std::vector<std::uint8_t> lane_planes_;
 };

@@ -124,10 +124,8 @@ std::int64_t simd_target(const std::string& name) {
         return *number;
     }
     const std::vector<physics::SimdTarget> targets = physics::simd_targets();
-    std::vector<std::string_view> names;
-    for (const physics::SimdTarget& target : targets) {
-        names.push_back(target.name);
-    }
+    std::vector<std::string_view> names(targets.size());
+    std::ranges::transform(targets, names.begin(), &physics::SimdTarget::name);
     throw InputError{"--simd: does not know '" + name + "'; " + io::suggestion(name, names, "take one of")};
 }
 

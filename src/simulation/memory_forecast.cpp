@@ -39,12 +39,14 @@ double between(const Range& range, double opened) {
 
 double masses(const PartLoad& load) { return Hexahedron::corners * number(load.local); }
 
-double network_bytes(const PartLoad& load) {
-    constexpr double per_entity = sizeof(EntityId) + sizeof(std::uint8_t) + Hexahedron::faces * sizeof(std::int32_t) +
-                                  Hexahedron::corners * (sizeof(LocalMass) + sizeof(std::uint8_t));
-    constexpr double per_interface = sizeof(physics::Interface) + duplets * sizeof(double) + sizeof(std::uint8_t);
+bool has_one_threshold(const Scene& scene) { return scene.sensors.threshold.is_constant() && !scene.sensors.weibull; }
+
+double network_bytes(const PartLoad& load, bool one_threshold) {
+    constexpr double per_entity = sizeof(EntityId) + sizeof(std::uint8_t) + Hexahedron::faces * sizeof(std::int32_t);
+    const double thresholds = one_threshold ? 0 : duplets * sizeof(double);
+    const double per_interface = sizeof(physics::Interface) + thresholds + sizeof(std::uint8_t);
     return number(load.local) * per_entity + number(load.interfaces) * per_interface +
-           number(load.unions) * sizeof(std::size_t);
+           number(load.received) * sizeof(LocalMass);
 }
 
 /// Rows with their void places; the base plane has a place for every vertex, and where unions fall apart the other planes have, too.
@@ -56,7 +58,7 @@ double state_bytes(const PartLoad& load, const Time& time, double opened) {
                                  3 * lanes * sizeof(float) + 2 * sizeof(physics::EdgeBits) + 2 * sizeof(std::uint32_t) +
                                  sizeof(std::int32_t);
     constexpr double per_site = planes_of_site + sizeof(LocalEntity) + per_batch / lanes;
-    constexpr double per_vertex = 2 * sizeof(std::uint8_t) + sizeof(physics::Merging::Revision) +
+    constexpr double per_vertex = sizeof(std::uint8_t) + sizeof(physics::Merging::Revision) +
                                   (sizeof(std::int32_t) * (2 + physics::planes) + sizeof(std::uint8_t)) / lanes;
     const double components = time.scheme == physics::Scheme::ab2 ? 13 : 10;
     const double number_bytes = time.precision == physics::Precision::binary32 ? sizeof(float) : sizeof(double);
@@ -187,12 +189,13 @@ double event_bytes(const Scene& scene, const PartLoad& load, const RankSetting& 
 
 }  // namespace
 
-double model_bytes(const PartLoad& load, const Time& time, double opened) {
-    return network_bytes(load) + state_bytes(load, time, opened) + coat_bytes(load, opened);
+double model_bytes(const Scene& scene, const PartLoad& load, double opened) {
+    return network_bytes(load, has_one_threshold(scene)) + state_bytes(load, scene.time, opened) +
+           coat_bytes(load, opened);
 }
 
 std::int64_t peak_bytes(const Scene& scene, const PartLoad& load, const RankSetting& setting, double opened) {
-    const double model = model_bytes(load, scene.time, opened) + distribution_bytes(load);
+    const double model = model_bytes(scene, load, opened) + distribution_bytes(load);
     // Events and frames add up: SuperLU_DIST, which comes with PETSc, sets the allocator to give nothing back to the system, and the
     // pieces that a coat leaves are too small for a frame.
     const double running =

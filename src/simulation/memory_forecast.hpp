@@ -17,7 +17,7 @@ struct RankSetting {
 };
 
 /// Bytes of the network, the state and the map of a rank when this share of its interfaces, 0 to 1, has opened.
-[[nodiscard]] double model_bytes(const PartLoad& load, const Time& time, double opened);
+[[nodiscard]] double model_bytes(const Scene& scene, const PartLoad& load, double opened);
 
 /// The most that a rank holds during a run in which this share of all interfaces opens at once, bytes: the process with its libraries,
 /// the model, and what events and frames take on top of it for a while; or the partition, if that takes more.

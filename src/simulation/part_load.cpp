@@ -72,7 +72,6 @@ PartLoad load_of_box(const Box& box, double roughness) {
     load.interfaces = whole(local / box_local *
                             by_axis(
                                 box, [](double n, double h) { return n + h - 1; }, with_halo));
-    load.unions = whole(over_axes(box, [](double n, double) { return n + 1; }));
     load.received = whole(roughness * box_received);
     load.sent = load.received;
     load.boundary_faces = whole(by_axis(
@@ -111,7 +110,6 @@ PartLoad load_at_random(const Block& block, int ranks) {
     load.sites = whole(padded(static_cast<double>(nx))) * ny * nz;
     load.vertex_sites = whole(padded(static_cast<double>(nx))) * (ny + 1) * (nz + 1);
     load.interfaces = block.interior_face_count();
-    load.unions = whole(touched * static_cast<double>(block.vertex_count()));
     load.received = whole((1 - touched) * Hexahedron::corners * local);
     load.sent = load.received;
     load.boundary_faces = (Hexahedron::faces * block.entity_count() - 2 * block.interior_face_count()) / ranks;
@@ -129,7 +127,6 @@ PartLoad load_of(const Dynamics& dynamics, const Coat& coat) {
     load.sites = static_cast<std::int64_t>(lattice.batches()) * physics::Lattice::lanes;
     load.vertex_sites = static_cast<std::int64_t>(lattice.vertex_sites());
     load.interfaces = static_cast<std::int64_t>(network.interfaces().size());
-    load.unions = static_cast<std::int64_t>(network.union_count());
     load.received = static_cast<std::int64_t>(network.received().size());
     load.sent = dynamics.plan().values_sent();
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {

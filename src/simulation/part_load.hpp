@@ -17,7 +17,6 @@ struct PartLoad {
     std::int64_t sites{0};           ///< of local entities in rows, void ones included
     std::int64_t vertex_sites{0};    ///< the same of their vertices
     std::int64_t interfaces{0};      ///< between local entities
-    std::int64_t unions{0};          ///< touched Mass-unions at the start
     std::int64_t received{0};        ///< masses
     std::int64_t sent{0};            ///< masses, once for each rank that receives them
     std::int64_t boundary_faces{0};  ///< of owned entities, on the block's boundary

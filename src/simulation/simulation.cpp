@@ -33,9 +33,7 @@ std::string cause_of(const CertifiedStep& certified, bool finite) {
 
 geometry::SharedUnions starting_unions(const physics::Network& network) {
     geometry::SharedUnions unions{static_cast<std::size_t>(network.mass_count())};
-    for (std::size_t u = 0; u < network.union_count(); ++u) {
-        unions.set(network.union_masses(u));
-    }
+    network.for_each_union([&](std::span<const LocalMass> masses) { unions.set(masses); });
     return unions;
 }
 

@@ -30,9 +30,7 @@ const partition::Communicator& world() {
 class Unions {
 public:
     explicit Unions(const physics::Network& network) {
-        for (std::size_t u = 0; u < network.union_count(); ++u) {
-            add(network.union_masses(u));
-        }
+        network.for_each_union([&](std::span<const LocalMass> masses) { add(masses); });
     }
 
     void take(const physics::SplitStream& splits) {

@@ -69,12 +69,14 @@ TEST(Network, TreeHoldsEachUnionTogetherWithTheFewestOfTheDuplets) {
         const std::set<Pair> tree = duplets_of(network);
         const std::set<Pair> all = duplets_of(network_of(cells, Duplets::corners));
         EXPECT_TRUE(std::ranges::includes(all, tree));
-        for (std::size_t u = 0; u < network.union_count(); ++u) {
-            const auto masses = network.union_masses(u);
+        std::int64_t unions = 0;
+        network.for_each_union([&](std::span<const LocalMass> masses) {
             const std::set<Pair> here = within(tree, masses);
             EXPECT_EQ(here.size(), masses.size() - 1);
             EXPECT_EQ(reached_from_first(here, masses), masses.size());
-        }
+            ++unions;
+        });
+        EXPECT_EQ(unions, network.block().vertex_count());
     }
 }
 

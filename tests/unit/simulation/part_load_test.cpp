@@ -17,7 +17,6 @@ TEST(EstimatedLoads, OfOneRankAreTheBlock) {
         EXPECT_EQ(loads[0].owned, b.entity_count());
         EXPECT_EQ(loads[0].local, b.entity_count());
         EXPECT_EQ(loads[0].interfaces, b.interior_face_count());
-        EXPECT_EQ(loads[0].unions, b.vertex_count());
         EXPECT_EQ(loads[0].received, 0);
         EXPECT_EQ(loads[0].boundary_faces, 2 * (7 * 5 + 5 * 3 + 3 * 7));
     }
@@ -30,7 +29,6 @@ TEST(EstimatedLoads, OfSlabsAreTheirLayersAndOneMoreAcrossEachCut) {
     EXPECT_EQ(middle.owned, 6 * 5 * 3);
     EXPECT_EQ(middle.local, 6 * 5 * 5);
     EXPECT_EQ(middle.interfaces, 5 * (5 * 5 + 6 * 4) + 6 * 5 * 4);
-    EXPECT_EQ(middle.unions, 7 * 6 * 4);
     EXPECT_EQ(middle.received, 2 * 4 * 6 * 5);
     EXPECT_EQ(middle.boundary_faces, 2 * 3 * (6 + 5));
 }
