@@ -123,7 +123,7 @@ HWY_INLINE void SetLast(const SweepView<Real>& v, const Real* from, CornerMotion
 }
 
 template <class Real>
-HWY_INLINE CornerMotion<Real> MotionOf(const SweepView<Real>& v, const VectorCorner& corner) {
+CRACKSIM_INLINE CornerMotion<Real> MotionOf(const SweepView<Real>& v, const VectorCorner& corner) {
     if (corner.is_base()) {
         return MotionInBase(v, corner);
     }
@@ -167,7 +167,7 @@ HWY_INLINE void AddLast(Real* block, const V3<Real>& force) {
 /// The forces on corners that are not in the base plane, which are zero there afterwards. To the other lanes' places zero is added:
 /// masked stores are slow.
 template <class Real>
-HWY_INLINE void AddToBlocks(const SweepView<Real>& v, const VectorCorner& corner, V3<Real>& force) {
+CRACKSIM_INLINE void AddToBlocks(const SweepView<Real>& v, const VectorCorner& corner, V3<Real>& force) {
     const auto add_last = [&](Real* block) { AddLast(block, force); };
     if (corner.is_in_one_plane()) {
         const auto add = [&](Real* block) {
@@ -184,8 +184,8 @@ HWY_INLINE void AddToBlocks(const SweepView<Real>& v, const VectorCorner& corner
 
 /// Entities of which no corner on a side is in the base plane have nothing for that side's vertices there.
 template <std::size_t kSide, class Real>
-HWY_INLINE void AddSideInUse(const SweepView<Real>& v, const VectorCorner* corners, const Forces<Real>& forces,
-                             RowRun<Real>& run, std::size_t at) {
+CRACKSIM_INLINE void AddSideInUse(const SweepView<Real>& v, const VectorCorner* corners, const Forces<Real>& forces,
+                                  RowRun<Real>& run, std::size_t at) {
     const auto [lower, upper] = corners_of_side[kSide];
     if (corners[lower].has_base() || corners[upper].has_base()) {
         AddSide<kSide>(v, forces, run, at);
@@ -196,8 +196,8 @@ HWY_INLINE void AddSideInUse(const SweepView<Real>& v, const VectorCorner* corne
 
 /// Carried interactions of entities whose corners' motions are found in `from`.
 template <bool kMeasure, class From, class Real>
-HWY_INLINE void AddInteractions(const SweepView<Real>& v, std::size_t site, unsigned carried, const From& from,
-                                Forces<Real>& forces, Outcome<Real>& outcome) {
+CRACKSIM_INLINE void AddInteractions(const SweepView<Real>& v, std::size_t site, unsigned carried, const From& from,
+                                     Forces<Real>& forces, Outcome<Real>& outcome) {
     const std::uint8_t* weights = WeightsOf(v, site);
     const float* limits = LimitsOf(v, site);
     AddCarried<false, kMeasure>(v, carried, from, weights, limits, forces, outcome);
@@ -248,8 +248,8 @@ HWY_NOINLINE void SweepSplit(SweepView<Real>& v, const RowView& row, RowRun<Real
 }
 
 template <bool kMeasure, class Real>
-HWY_INLINE void SweepAny(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
-                         RowSums<Real>& sums) {
+CRACKSIM_INLINE void SweepAny(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
+                              RowSums<Real>& sums) {
     const std::size_t site = row.first_site + at;
     const unsigned carried = CarriedBy(v, site) & ~(1U << Merging::full);
     if (carried == 0) {

@@ -36,6 +36,22 @@ struct HexahedronPairs {
                                                                     {1, 7},
                                                                     {2, 4},
                                                                     {3, 5}}};
+
+    /// The edge along an axis that ends at a corner.
+    [[nodiscard]] static constexpr int edge_at(int corner, int axis) {
+        return edge_of_corner[static_cast<std::size_t>(corner)][static_cast<std::size_t>(axis)];
+    }
+
+private:
+    static constexpr std::array<std::array<int, 3>, Hexahedron::corners> edge_of_corner = [] {
+        std::array<std::array<int, 3>, Hexahedron::corners> found{};
+        for (int edge = 0; edge < edges; ++edge) {
+            for (const int corner : corners[static_cast<std::size_t>(edge)]) {
+                found[static_cast<std::size_t>(corner)][static_cast<std::size_t>(edge / edges_per_axis)] = edge;
+            }
+        }
+        return found;
+    }();
 };
 
 /// The smallest physical piece, the same everywhere in the block: masses at the corners of a box, 16 interactions.

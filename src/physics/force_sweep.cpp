@@ -1,109 +1,11 @@
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "physics/force_sweep.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
-#include <algorithm>
+#include "physics/force_sweep.hpp"
 
 #include "core/contracts.hpp"
-#include "physics/any_vectors-inl.hpp"
-#include "physics/force_sweep.hpp"
-#include "physics/plain_vectors-inl.hpp"
-
-HWY_BEFORE_NAMESPACE();
-namespace cracksim::physics::HWY_NAMESPACE {
-
-template <bool kMeasure, class Real>
-void SweepVectors(SweepView<Real>& v, const RowView& row) {
-    const D<Real> d;
-    std::fill_n(v.exceeded + row.first_site / Lattice::lanes, row.sites / Lattice::lanes, EdgeBits{});
-    RowSums<Real> sums{hn::Zero(d), hn::Zero(d)};
-    RowRun<Real> run = BeginRun(v, row);
-    for (std::size_t at = 0; at < row.sites;) {
-        const std::size_t site = row.first_site + at;
-        std::size_t end = at + vector_lanes<Real>;
-        bool done = false;
-        if (IsBase(v, site)) {
-            const unsigned list = CarriedBy(v, site);
-            while (end < row.sites && IsBase(v, row.first_site + end) && CarriedBy(v, row.first_site + end) == list) {
-                end += vector_lanes<Real>;
-            }
-            done = SweepPlain<kMeasure>(list, v, row, run, at, end, sums);
-        }
-        for (; !done && at < end; at += vector_lanes<Real>) {
-            SweepAny<kMeasure>(v, row, run, at, sums);
-        }
-        at = end;
-    }
-    Deliver(v, run, row.sites);
-    v.dissipated += hn::GetLane(hn::SumOfLanes(d, sums.dissipated));
-    if constexpr (kMeasure) {
-        v.elastic += hn::GetLane(hn::SumOfLanes(d, sums.elastic));
-    }
-}
-
-template <class Real>
-void SweepRow(SweepView<Real>& v, const RowView& row, Measure measure) {
-    if (measure == Measure::elastic_energy) {
-        SweepVectors<true>(v, row);
-    } else {
-        SweepVectors<false>(v, row);
-    }
-}
-
-template <class Real>
-void SweepEntities(const SweepView<Real>& v, GatheredEntities<Real>& entities) {
-    const D<Real> d;
-    std::uint8_t ones[Merging::bytes_per_batch];
-    std::fill(std::begin(ones), std::end(ones), std::uint8_t{1});
-    constexpr float limits[3 * Lattice::lanes] = {};
-    constexpr std::size_t stride = Hexahedron::corners * Lattice::lanes;
-    for (std::size_t lane = 0; lane < Lattice::lanes; lane += hn::Lanes(d)) {
-        Assembled<Real> assembled;
-        for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
-            Store3(Load3(entities.displacement[0][c] + lane, stride), assembled.motion[c][0], vector_lanes<Real>);
-            Store3(Load3(entities.velocity_increment[0][c] + lane, stride), assembled.motion[c][3], vector_lanes<Real>);
-        }
-        Forces<Real> forces;
-        Outcome<Real> outcome;
-        AddFar<false>(v, 0xffffU, assembled, ones, limits, forces, outcome);
-        for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
-            Store3(forces.f[c], entities.force[0][c] + lane, stride);
-        }
-    }
-}
-
-void SweepDouble(SweepView<double>& v, const RowView& row, Measure measure) { SweepRow(v, row, measure); }
-void SweepSingle(SweepView<float>& v, const RowView& row, Measure measure) { SweepRow(v, row, measure); }
-void SweepEntitiesDouble(const SweepView<double>& v, GatheredEntities<double>& entities) { SweepEntities(v, entities); }
-void SweepEntitiesSingle(const SweepView<float>& v, GatheredEntities<float>& entities) { SweepEntities(v, entities); }
-
-}  // namespace cracksim::physics::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
+#include "physics/row_sweep.hpp"
 
 namespace cracksim::physics {
 
-HWY_EXPORT(SweepDouble);
-HWY_EXPORT(SweepSingle);
-HWY_EXPORT(SweepEntitiesDouble);
-HWY_EXPORT(SweepEntitiesSingle);
-
 namespace {
-
-void sweep(SweepView<double>& v, const RowView& row, Measure measure) {
-    HWY_DYNAMIC_DISPATCH(SweepDouble)(v, row, measure);
-}
-void sweep(SweepView<float>& v, const RowView& row, Measure measure) {
-    HWY_DYNAMIC_DISPATCH(SweepSingle)(v, row, measure);
-}
-void sweep_entities(const SweepView<double>& v, GatheredEntities<double>& entities) {
-    HWY_DYNAMIC_DISPATCH(SweepEntitiesDouble)(v, entities);
-}
-void sweep_entities(const SweepView<float>& v, GatheredEntities<float>& entities) {
-    HWY_DYNAMIC_DISPATCH(SweepEntitiesSingle)(v, entities);
-}
 
 template <class Real>
 InteractionConstants<Real> constants(const EntityModel& model, std::size_t i, double dt) {
@@ -193,7 +95,7 @@ ForceSweep::ForceSweep(const Network& network, State& state, Measure measure)
 
 void ForceSweep::sweep_row(std::size_t row) {
     const RowView row_view = view_of(state_->lattice().cell_rows()[row]);
-    std::visit([&](auto& view) { sweep(view, row_view, measure_); }, view_);
+    std::visit([&](auto& view) { physics::sweep_row(view, row_view, measure_); }, view_);
 }
 
 void ForceSweep::finish() {
@@ -229,5 +131,3 @@ EntityForces entity_forces(const Network& network, const State& state, std::span
 }
 
 }  // namespace cracksim::physics
-
-#endif

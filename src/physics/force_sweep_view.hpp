@@ -12,7 +12,7 @@ namespace cracksim::physics {
 
 enum class Measure { nothing, elastic_energy };
 
-/// The polynomial P of NearRatio, for |x - centre| <= reach: minimax for the residual, degree 4.
+/// The polynomial P of NearRatios, for |x - centre| <= reach: minimax for the residual, degree 4.
 struct Series {
     static constexpr double p0 = 0.49968050192365143;
     static constexpr double p1 = -0.3729833863862425;

@@ -20,6 +20,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
+// What is left out of line passes all vectors through memory; with sanitizers all in one function would compile for a quarter of an hour.
+#undef CRACKSIM_INLINE
+#undef CRACKSIM_INLINE_LAMBDA
+#ifdef __SANITIZE_ADDRESS__
+#define CRACKSIM_INLINE inline
+#define CRACKSIM_INLINE_LAMBDA
+#else
+#define CRACKSIM_INLINE HWY_INLINE
+#define CRACKSIM_INLINE_LAMBDA __attribute__((always_inline))
+#endif
+
 /// Over the interactions of the entities: sums, and what decides about sensing and about the range of the series.
 template <class Real>
 struct Outcome {
@@ -29,35 +40,28 @@ struct Outcome {
     unsigned exceeded[HexahedronPairs::edges];  ///< by edge, a bit a lane
 };
 
-/// d = d0 + du, the extension |d|^2/L0^2 - 1 = (2 d0 + du).du / L0^2, without cancellation, and dw.d.
+/// Interactions of the entities by number, as far as they are asked for: d = d0 + du, the extension |d|^2/L0^2 - 1 = (2 d0 + du).du / L0^2,
+/// without cancellation, the rate dw.d, how many entities' interaction it is, and the force on the first corner over d.
 template <class Real>
-struct Stretched {
-    V3<Real> distance;
-    V<Real> extension;
-    V<Real> rate;
+struct Interactions {
+    V<Real> distance[3][HexahedronPairs::count];
+    V<Real> extension[HexahedronPairs::count];
+    V<Real> rate[HexahedronPairs::count];
+    V<Real> weight[HexahedronPairs::count];
+    V<Real> factor[HexahedronPairs::count];
 };
 
-template <std::size_t I, class Real>
-HWY_INLINE Stretched<Real> Stretch(const InteractionConstants<Real>& c, const V3<Real>& du, const V3<Real>& dw) {
-    const V<Real> scale = Same<Real>(c.inverse_squared_length);
-    if constexpr (I < HexahedronPairs::edges) {
-        // Edges of a box lie along an axis: across it, d and 2 d0 + du are du.
-        constexpr std::size_t axis = I / HexahedronPairs::edges_per_axis;
-        const V<Real> rest = Same<Real>(c.rest[axis]);
-        const V<Real> along = axis == 0 ? du.x : axis == 1 ? du.y : du.z;
-        const V<Real> second = axis == 0 ? du.y : axis == 1 ? du.z : du.x;
-        const V<Real> third = axis == 0 ? du.z : axis == 1 ? du.x : du.y;
-        const V<Real> across = hn::MulAdd(second, second, hn::Mul(third, third));
-        const V<Real> distance = hn::Add(rest, along);
-        const V<Real> extension = hn::Mul(scale, hn::MulAdd(hn::Add(rest, distance), along, across));
-        const V3<Real> all{axis == 0 ? distance : du.x, axis == 1 ? distance : du.y, axis == 2 ? distance : du.z};
-        return {all, extension, Dot(dw, all)};
-    } else {
-        const V3<Real> rest{Same<Real>(c.rest[0]), Same<Real>(c.rest[1]), Same<Real>(c.rest[2])};
-        const V3<Real> distance{hn::Add(rest.x, du.x), hn::Add(rest.y, du.y), hn::Add(rest.z, du.z)};
-        const V3<Real> twice{hn::Add(rest.x, distance.x), hn::Add(rest.y, distance.y), hn::Add(rest.z, distance.z)};
-        return {distance, hn::Mul(scale, Dot(twice, du)), Dot(dw, distance)};
-    }
+/// Adds what the components of du and dw along an axis tell, axes ascending.
+template <std::size_t I, std::size_t kAxis, class Real>
+HWY_INLINE void AddComponent(const InteractionConstants<Real>& c, V<Real> du, V<Real> dw, Interactions<Real>& all) {
+    // Edges of a box lie along an axis: across it, d and 2 d0 + du are du.
+    constexpr bool rests = I >= HexahedronPairs::edges || I / HexahedronPairs::edges_per_axis == kAxis;
+    const V<Real> rest = Same<Real>(c.rest[kAxis]);
+    const V<Real> distance = rests ? hn::Add(rest, du) : du;
+    const V<Real> twice = rests ? hn::Add(rest, distance) : du;
+    all.distance[kAxis][I] = distance;
+    all.extension[I] = kAxis == 0 ? hn::Mul(twice, du) : hn::MulAdd(twice, du, all.extension[I]);
+    all.rate[I] = kAxis == 0 ? hn::Mul(dw, distance) : hn::MulAdd(dw, distance, all.rate[I]);
 }
 
 /// With the extension x: the shortfall g = 1 - L0/|d| = 1 - (1 + x)^(-1/2), and r = L0/|d| = 1 - g.
@@ -67,36 +71,60 @@ struct Ratio {
     V<Real> inverse;
 };
 
-/// For |x - 0.075| <= 0.425, without division or root. g0 = x P(x) is right to 0.1 %; with the residual R = (1 + x)(1 - g0)^2 - 1,
-/// r = (1 - g0)(1 + R)^(-1/2) to the third power of R, in single
-/// precision the second: to the last bits of g, relative to g, however small x.
-template <class Real>
-HWY_INLINE Ratio<Real> NearRatio(V<Real> x) {
-    V<Real> p = hn::MulAdd(Same<Real>(Series::p4), x, Same<Real>(Series::p3));
-    p = hn::MulAdd(p, x, Same<Real>(Series::p2));
-    p = hn::MulAdd(p, x, Same<Real>(Series::p1));
-    p = hn::MulAdd(p, x, Same<Real>(Series::p0));
-    const V<Real> one = Same<Real>(1.0);
-    const V<Real> g0 = hn::Mul(p, x);
-    const V<Real> r0 = hn::Sub(one, g0);
-    const V<Real> residual = hn::NegMulAdd(hn::Mul(g0, hn::Add(one, r0)), hn::Add(one, x), x);
-    V<Real> q = Same<Real>(-3.0 / 8);
-    if constexpr (sizeof(Real) > sizeof(float)) {
-        q = hn::MulAdd(residual, Same<Real>(5.0 / 16), q);
+/// Calls action(i) for 0 <= i < kCount, one after the other, i being a constant.
+template <std::size_t kCount, class Action>
+CRACKSIM_INLINE void ForEach(Action&& action) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) CRACKSIM_INLINE_LAMBDA {
+        (action(std::integral_constant<std::size_t, I>{}), ...);
     }
-    q = hn::Mul(residual, hn::MulAdd(q, residual, Same<Real>(0.5)));
-    const V<Real> correction = hn::Mul(r0, q);
-    return {hn::Add(g0, correction), hn::Sub(r0, correction)};
+    (std::make_index_sequence<kCount>{});
 }
 
-/// Whatever x; in the range of NearRatio with its bits. A vanished length has no direction: no force.
+/// For |x - 0.075| <= 0.425, without division or root. g0 = x P(x) is right to 0.1 %; with the residual R = (1 + x)(1 - g0)^2 - 1,
+/// r = (1 - g0)(1 + R)^(-1/2) to the third power of R, in single
+/// precision the second: to the last bits of g, relative to g, however small x. Of several x at once: one is a long chain of operations,
+/// and the processor works on several chains only where they are close to each other in the program.
+template <std::size_t kCount, class Real>
+CRACKSIM_INLINE void NearRatios(const V<Real> (&x)[kCount], Ratio<Real> (&ratio)[kCount]) {
+    const V<Real> one = Same<Real>(1.0);
+    V<Real> p[kCount];
+    V<Real> g0[kCount];
+    V<Real> r0[kCount];
+    V<Real> residual[kCount];
+    V<Real> q[kCount];
+    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA {
+        p[i] = hn::MulAdd(Same<Real>(Series::p4), x[i], Same<Real>(Series::p3));
+    });
+    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { p[i] = hn::MulAdd(p[i], x[i], Same<Real>(Series::p2)); });
+    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { p[i] = hn::MulAdd(p[i], x[i], Same<Real>(Series::p1)); });
+    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { p[i] = hn::MulAdd(p[i], x[i], Same<Real>(Series::p0)); });
+    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { g0[i] = hn::Mul(p[i], x[i]); });
+    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { r0[i] = hn::Sub(one, g0[i]); });
+    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { residual[i] = hn::Mul(g0[i], hn::Add(one, r0[i])); });
+    ForEach<kCount>([&](auto i)
+                        CRACKSIM_INLINE_LAMBDA { residual[i] = hn::NegMulAdd(residual[i], hn::Add(one, x[i]), x[i]); });
+    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA {
+        q[i] = Same<Real>(-3.0 / 8);
+        if constexpr (sizeof(Real) > sizeof(float)) {
+            q[i] = hn::MulAdd(residual[i], Same<Real>(5.0 / 16), q[i]);
+        }
+    });
+    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { q[i] = hn::MulAdd(q[i], residual[i], Same<Real>(0.5)); });
+    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { q[i] = hn::Mul(residual[i], q[i]); });
+    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { q[i] = hn::Mul(r0[i], q[i]); });
+    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { ratio[i] = {hn::Add(g0[i], q[i]), hn::Sub(r0[i], q[i])}; });
+}
+
+/// Whatever x; in the range of NearRatios with its bits. A vanished length has no direction: no force.
 template <class Real>
-HWY_INLINE Ratio<Real> AnyRatio(V<Real> x) {
+CRACKSIM_INLINE Ratio<Real> AnyRatio(V<Real> x) {
     const V<Real> one = Same<Real>(1.0);
     const V<Real> squared = hn::Add(one, x);
     const V<Real> length = hn::Sqrt(squared);
     const auto vanished = hn::Lt(squared, Same<Real>(Series::tiny_squared));
-    const Ratio<Real> near = NearRatio<Real>(x);
+    Ratio<Real> nearby[1];
+    NearRatios<1, Real>({x}, nearby);
+    const Ratio<Real> near = nearby[0];
     const auto is_near = hn::Le(hn::Abs(hn::Sub(x, Same<Real>(Series::centre))), Same<Real>(Series::reach));
     const V<Real> g = hn::IfThenElse(is_near, near.shortfall, hn::Div(x, hn::Add(squared, length)));
     const V<Real> r = hn::IfThenElse(is_near, near.inverse, hn::Div(one, length));
@@ -112,46 +140,72 @@ HWY_INLINE V<Real> SquaredStretch(V<Real> x, const Ratio<Real>& ratio) {
     return hn::IfThenElse(vanished, Same<Real>(1.0), hn::Mul(g2, squared));
 }
 
-/// The force of interaction I on its first corner over d, `weight` times: weight (k g + z' q r^2) with q = dw.d, z' = z/(dt L0^2).
-/// kPlain: no entity is void.
-template <std::size_t I, bool kPlain, bool kFar, bool kMeasure, class Real>
-HWY_INLINE V<Real> Factor(const InteractionConstants<Real>& c, const Stretched<Real>& s, V<Real> weight,
-                          const float* limit, Outcome<Real>& sums) {
-    V<Real> extension = s.extension;
-    V<Real> rate = s.rate;
+/// Completes the extension of interaction I, and finds what decides about sensing and about the range of the series. kPlain: no entity
+/// is void.
+template <std::size_t I, bool kPlain, bool kFar, class Real>
+CRACKSIM_INLINE void Complete(const InteractionConstants<Real>& c, const float* limits, Interactions<Real>& all,
+                              Outcome<Real>& sums) {
+    V<Real>& extension = all.extension[I];
+    extension = hn::Mul(Same<Real>(c.inverse_squared_length), extension);
     if constexpr (!kPlain) {
         // The ends of what is void or carried by another entity may be anywhere, so far apart that 0 times their force is no zero.
-        const auto carried = hn::Ne(weight, hn::Zero(D<Real>{}));
+        const auto carried = hn::Ne(all.weight[I], hn::Zero(D<Real>{}));
         extension = hn::IfThenElseZero(carried, extension);
-        rate = hn::IfThenElseZero(carried, rate);
-    }
-    const Ratio<Real> ratio = kFar ? AnyRatio<Real>(extension) : NearRatio<Real>(extension);
-    const V<Real> drag = hn::Mul(hn::Mul(Same<Real>(c.viscosity_rate), rate), hn::Mul(ratio.inverse, ratio.inverse));
-    sums.dissipated = hn::MulAdd(hn::Mul(weight, rate), drag, sums.dissipated);
-    if constexpr (kMeasure) {
-        const V<Real> energy = hn::Mul(hn::Mul(weight, Same<Real>(c.half_energy)), SquaredStretch(extension, ratio));
-        sums.elastic = hn::Add(sums.elastic, energy);
+        all.rate[I] = hn::IfThenElseZero(carried, all.rate[I]);
     }
     if constexpr (!kFar) {
         sums.farthest = hn::Max(sums.farthest, hn::Abs(hn::Sub(extension, Same<Real>(Series::centre))));
     }
     if constexpr (I < HexahedronPairs::edges) {
         constexpr std::size_t axis = I / HexahedronPairs::edges_per_axis;
-        sums.exceeded[I] = Bits<Real>(hn::Gt(extension, FromSingle<Real>(limit + axis * Lattice::lanes)));
+        sums.exceeded[I] = Bits<Real>(hn::Gt(extension, FromSingle<Real>(limits + axis * Lattice::lanes)));
     }
-    return hn::Mul(weight, hn::MulAdd(Same<Real>(c.stiffness), ratio.shortfall, drag));
 }
 
-template <class Real>
-HWY_INLINE V3<Real> Plus(V<Real> factor, const V3<Real>& distance, const V3<Real>& sum) {
-    return {hn::MulAdd(factor, distance.x, sum.x), hn::MulAdd(factor, distance.y, sum.y),
-            hn::MulAdd(factor, distance.z, sum.z)};
+/// The force on the first corner over d, `weight` times: weight (k g + z' q r^2) with q = dw.d, z' = z/(dt L0^2).
+template <bool kFar, bool kMeasure, class Real, std::size_t... I>
+CRACKSIM_INLINE void FindSomeFactors(const SweepView<Real>& v, Interactions<Real>& all, Outcome<Real>& sums,
+                                     std::index_sequence<I...>) {
+    const V<Real> extension[]{all.extension[I]...};
+    Ratio<Real> ratio[sizeof...(I)];
+    if constexpr (kFar) {
+        ForEach<sizeof...(I)>([&](auto i) CRACKSIM_INLINE_LAMBDA { ratio[i] = AnyRatio<Real>(extension[i]); });
+    } else {
+        NearRatios<sizeof...(I), Real>(extension, ratio);
+    }
+    std::size_t at = 0;
+    const auto find = [&](auto i) CRACKSIM_INLINE_LAMBDA {
+        const InteractionConstants<Real>& c = v.interaction[i];
+        const V<Real> weight = all.weight[i];
+        const V<Real> inverse = ratio[at].inverse;
+        const V<Real> drag = hn::Mul(hn::Mul(Same<Real>(c.viscosity_rate), all.rate[i]), hn::Mul(inverse, inverse));
+        all.factor[i] = hn::Mul(weight, hn::MulAdd(Same<Real>(c.stiffness), ratio[at].shortfall, drag));
+        sums.dissipated = hn::MulAdd(hn::Mul(weight, all.rate[i]), drag, sums.dissipated);
+        if constexpr (kMeasure) {
+            const V<Real> energy =
+                hn::Mul(hn::Mul(weight, Same<Real>(c.half_energy)), SquaredStretch(all.extension[i], ratio[at]));
+            sums.elastic = hn::Add(sums.elastic, energy);
+        }
+        ++at;
+    };
+    (find(std::integral_constant<std::size_t, I>{}), ...);
 }
 
-template <class Real>
-HWY_INLINE V3<Real> Minus(V<Real> factor, const V3<Real>& distance, const V3<Real>& sum) {
-    return {hn::NegMulAdd(factor, distance.x, sum.x), hn::NegMulAdd(factor, distance.y, sum.y),
-            hn::NegMulAdd(factor, distance.z, sum.z)};
+/// Interactions that are computed together.
+constexpr std::size_t together = 4;
+
+template <bool kFar, bool kMeasure, std::size_t kFirst = 0, class Real, std::size_t... I>
+CRACKSIM_INLINE void FindFactors(const SweepView<Real>& v, Interactions<Real>& all, Outcome<Real>& sums,
+                                 std::index_sequence<I...> list) {
+    constexpr std::array<std::size_t, sizeof...(I)> numbers{I...};
+    constexpr std::size_t some = std::min(together, numbers.size() - kFirst);
+    [&]<std::size_t... K>(std::index_sequence<K...>) CRACKSIM_INLINE_LAMBDA {
+        FindSomeFactors<kFar, kMeasure>(v, all, sums, std::index_sequence<numbers[kFirst + K]...>{});
+    }
+    (std::make_index_sequence<some>{});
+    if constexpr (kFirst + some < numbers.size()) {
+        FindFactors<kFar, kMeasure, kFirst + some>(v, all, sums, list);
+    }
 }
 
 template <class Real>
@@ -218,65 +272,104 @@ template <class Real>
 struct Assembled {
     HWY_ALIGN Real motion[Hexahedron::corners][6][vector_lanes<Real>];
 
-    template <std::size_t C>
-    HWY_INLINE V3<Real> Displacement() const {
-        return Load3(motion[C][0], vector_lanes<Real>);
+    template <std::size_t C, std::size_t kAxis>
+    HWY_INLINE V<Real> Displacement() const {
+        return hn::Load(D<Real>{}, motion[C][kAxis]);
     }
-    template <std::size_t C>
-    HWY_INLINE V3<Real> VelocityIncrement() const {
-        return Load3(motion[C][3], vector_lanes<Real>);
+    template <std::size_t C, std::size_t kAxis>
+    HWY_INLINE V<Real> VelocityIncrement() const {
+        return hn::Load(D<Real>{}, motion[C][3 + kAxis]);
     }
 };
 
-template <std::size_t I, class From, class Real>
-HWY_INLINE Stretched<Real> StretchOf(const SweepView<Real>& v, const From& from) {
-    constexpr auto a = static_cast<std::size_t>(HexahedronPairs::corners[I][0]);
-    constexpr auto b = static_cast<std::size_t>(HexahedronPairs::corners[I][1]);
-    return Stretch<I>(v.interaction[I], Sub(from.template Displacement<b>(), from.template Displacement<a>()),
-                      Sub(from.template VelocityIncrement<b>(), from.template VelocityIncrement<a>()));
+/// Some interaction of the list has the corner.
+constexpr bool is_met(unsigned list, int corner) {
+    for (std::size_t i = 0; i < HexahedronPairs::count; ++i) {
+        const auto& pair = HexahedronPairs::corners[i];
+        if ((list >> i & 1U) != 0 && (pair[0] == corner || pair[1] == corner)) {
+            return true;
+        }
+    }
+    return false;
 }
 
-// Lambdas left out of line pass all vectors through memory; with sanitizers all in one function would compile for a quarter of an hour.
-#undef CRACKSIM_INLINE_LAMBDA
-#ifdef __SANITIZE_ADDRESS__
-#define CRACKSIM_INLINE_LAMBDA
-#else
-#define CRACKSIM_INLINE_LAMBDA __attribute__((always_inline))
-#endif
-
-/// Calls action(I) for the interactions that are carried, I being a constant.
-template <class Action>
-HWY_INLINE void ForEachCarried(unsigned carried, Action&& action) {
-    const auto call_all = [&]<std::size_t... I>(std::index_sequence<I...>) CRACKSIM_INLINE_LAMBDA {
-        const auto call = [&](auto i) CRACKSIM_INLINE_LAMBDA {
-            if ((carried >> i & 1U) != 0) {
-                action(i);
-            }
-        };
-        (call(std::integral_constant<std::size_t, I>{}), ...);
-    };
-    call_all(std::make_index_sequence<HexahedronPairs::count>{});
-}
-
-/// What is carried of all 16 interactions, onto forces of zero. In three passes: one interaction is a long chain of operations, and
-/// only where several of them are close to each other in the program does the processor work on them at once.
-template <bool kFar, bool kMeasure, class From, class Real>
-HWY_INLINE void AddCarried(const SweepView<Real>& v, unsigned carried, const From& from, const std::uint8_t* weights,
-                           const float* limits, Forces<Real>& forces, Outcome<Real>& outcome) {
-    std::fill(std::begin(forces.f), std::end(forces.f), Zero3<Real>());
-    outcome = Nothing<Real>();
-    Stretched<Real> stretched[HexahedronPairs::count];
-    V<Real> factor[HexahedronPairs::count];
-    ForEachCarried(carried, [&](auto i) CRACKSIM_INLINE_LAMBDA { stretched[i] = StretchOf<i>(v, from); });
-    ForEachCarried(carried, [&](auto i) CRACKSIM_INLINE_LAMBDA {
-        factor[i] =
-            Factor<i, false, kFar, kMeasure>(v.interaction[i], stretched[i], Weight<Real>(weights, i), limits, outcome);
+/// Components of some interactions along an axis: of one component at a time, the corners' motions are loaded once and stay in registers.
+template <std::size_t kAxis, class From, class Real, std::size_t... I>
+CRACKSIM_INLINE void AddComponents(const SweepView<Real>& v, const From& from, Interactions<Real>& all,
+                                   std::index_sequence<I...>) {
+    constexpr unsigned list = ((1U << I) | ...);
+    V<Real> u[Hexahedron::corners];
+    V<Real> w[Hexahedron::corners];
+    ForEach<Hexahedron::corners>([&](auto c) CRACKSIM_INLINE_LAMBDA {
+        if constexpr (is_met(list, c)) {
+            u[c] = from.template Displacement<c, kAxis>();
+            w[c] = from.template VelocityIncrement<c, kAxis>();
+        }
     });
-    ForEachCarried(carried, [&](auto i) CRACKSIM_INLINE_LAMBDA {
-        V3<Real>& first = forces.f[HexahedronPairs::corners[i][0]];
-        V3<Real>& second = forces.f[HexahedronPairs::corners[i][1]];
-        first = Plus(factor[i], stretched[i].distance, first);
-        second = Minus(factor[i], stretched[i].distance, second);
+    const auto add = [&](auto i) CRACKSIM_INLINE_LAMBDA {
+        constexpr auto a = static_cast<std::size_t>(HexahedronPairs::corners[i][0]);
+        constexpr auto b = static_cast<std::size_t>(HexahedronPairs::corners[i][1]);
+        AddComponent<i, kAxis>(v.interaction[i], hn::Sub(u[b], u[a]), hn::Sub(w[b], w[a]), all);
+    };
+    (add(std::integral_constant<std::size_t, I>{}), ...);
+}
+
+/// Some interactions of entities whose corners' motions are found in `from`; all.weight is known.
+template <bool kPlain, bool kFar, bool kMeasure, class From, class Real, std::size_t... I>
+CRACKSIM_INLINE void FindStretches(const SweepView<Real>& v, const From& from, const float* limits,
+                                   Interactions<Real>& all, Outcome<Real>& outcome, std::index_sequence<I...> list) {
+    AddComponents<0>(v, from, all, list);
+    AddComponents<1>(v, from, all, list);
+    AddComponents<2>(v, from, all, list);
+    (Complete<I, kPlain, kFar>(v.interaction[I], limits, all, outcome), ...);
+    FindFactors<kFar, kMeasure>(v, all, outcome, list);
+}
+
+/// A component of the forces on the corners, of some interactions.
+template <std::size_t kAxis, class Real, std::size_t... I>
+CRACKSIM_INLINE void AddForces(const Interactions<Real>& all, V<Real> (&force)[Hexahedron::corners],
+                               std::index_sequence<I...>) {
+    const auto add = [&](auto i) CRACKSIM_INLINE_LAMBDA {
+        constexpr auto a = static_cast<std::size_t>(HexahedronPairs::corners[i][0]);
+        constexpr auto b = static_cast<std::size_t>(HexahedronPairs::corners[i][1]);
+        force[a] = hn::MulAdd(all.factor[i], all.distance[kAxis][i], force[a]);
+        force[b] = hn::NegMulAdd(all.factor[i], all.distance[kAxis][i], force[b]);
+    };
+    std::fill(std::begin(force), std::end(force), hn::Zero(D<Real>{}));
+    (add(std::integral_constant<std::size_t, I>{}), ...);
+}
+
+template <std::size_t kKind>
+using Kind = std::index_sequence<4 * kKind, 4 * kKind + 1, 4 * kKind + 2, 4 * kKind + 3>;
+
+/// Four interactions: the edges along an axis, or the diagonals. If none of them is carried, they are left out.
+template <std::size_t kKind, bool kFar, bool kMeasure, class From, class Real, std::size_t... I>
+CRACKSIM_INLINE void FindKind(const SweepView<Real>& v, unsigned carried, const From& from, const std::uint8_t* weights,
+                              const float* limits, Interactions<Real>& all, Outcome<Real>& outcome,
+                              std::index_sequence<I...> list) {
+    if ((carried & ((1U << I) | ...)) != 0) {
+        ((all.weight[I] = Weight<Real>(weights, I)), ...);
+        FindStretches<false, kFar, kMeasure>(v, from, limits, all, outcome, list);
+        return;
+    }
+    const V<Real> zero = hn::Zero(D<Real>{});
+    ((all.factor[I] = all.distance[0][I] = all.distance[1][I] = all.distance[2][I] = zero), ...);
+}
+
+/// All 16 interactions, weighted by how many entities' they are.
+template <bool kFar, bool kMeasure, class From, class Real>
+CRACKSIM_INLINE void AddCarried(const SweepView<Real>& v, unsigned carried, const From& from,
+                                const std::uint8_t* weights, const float* limits, Forces<Real>& forces,
+                                Outcome<Real>& outcome) {
+    outcome = Nothing<Real>();
+    Interactions<Real> all;
+    ForEach<HexahedronPairs::count / 4>([&](auto kind) CRACKSIM_INLINE_LAMBDA {
+        FindKind<kind, kFar, kMeasure>(v, carried, from, weights, limits, all, outcome, Kind<kind>{});
+    });
+    ForEach<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
+        V<Real> force[Hexahedron::corners];
+        AddForces<axis>(all, force, std::make_index_sequence<HexahedronPairs::count>{});
+        ForEach<Hexahedron::corners>([&](auto c) CRACKSIM_INLINE_LAMBDA { Part<axis>(forces.f[c]) = force[c]; });
     });
 }
 

@@ -10,16 +10,6 @@ constexpr bool is_lower(int corner, int axis) {
     return Hexahedron::offset[static_cast<std::size_t>(corner)][static_cast<std::size_t>(axis)] == 0;
 }
 
-/// The edge along an axis whose lower end is the given corner.
-constexpr int edge_from(int corner, int axis) {
-    for (int i = axis * HexahedronPairs::edges_per_axis; i < (axis + 1) * HexahedronPairs::edges_per_axis; ++i) {
-        if (HexahedronPairs::corners[static_cast<std::size_t>(i)][0] == corner) {
-            return i;
-        }
-    }
-    return -1;
-}
-
 }  // namespace
 
 EdgeCopies edge_copies(const UnionTable& unions, VertexSite lower, int axis) {
@@ -28,7 +18,8 @@ EdgeCopies edge_copies(const UnionTable& unions, VertexSite lower, int axis) {
         const LocalMass m = is_lower(corner, axis) ? unions.lattice().mass_at(lower, corner) : LocalMass{};
         if (m != LocalMass{}) {
             const LocalMass other = local_mass(entity_of(m), Hexahedron::across(corner, axis));
-            found.copy[found.count++] = {entity_of(m), edge_from(corner, axis), unions.label(m), unions.label(other)};
+            found.copy[found.count++] = {entity_of(m), HexahedronPairs::edge_at(corner, axis), unions.label(m),
+                                         unions.label(other)};
         }
     }
     return found;

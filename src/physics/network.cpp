@@ -37,6 +37,7 @@ void Network::find_received() {
         }
     });
     std::ranges::sort(received_);
+    received_.shrink_to_fit();
 }
 
 void Network::find_interfaces() {
@@ -59,6 +60,7 @@ void Network::find_interfaces() {
                                    static_cast<std::uint8_t>(other->rotation)});
         }
     }
+    interfaces_.shrink_to_fit();
 }
 
 std::optional<Tie> Network::tie_over(LocalMass m, int face) const {

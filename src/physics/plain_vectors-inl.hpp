@@ -21,6 +21,7 @@ namespace cracksim::physics::HWY_NAMESPACE {
 /// more.
 using InsideRow = std::index_sequence<3, 7, 10, 12, 13, 14, 15>;
 using StartOfRow = std::index_sequence<3, 6, 7, 10, 11, 12, 13, 14, 15>;
+using LowestRow = std::index_sequence<1, 3, 5, 7, 10, 12, 13, 14, 15>;
 
 /// Entities whose corners are all in the base plane: they are loaded where they are needed, for there are too many to be kept in
 /// registers.
@@ -30,13 +31,13 @@ struct PlainCorners {
     std::size_t stride;
     std::size_t velocity;  ///< from u to what damping takes for w
 
-    template <std::size_t C>
-    HWY_INLINE V3<Real> Displacement() const {
-        return Load3(Place<C>(), stride);
+    template <std::size_t C, std::size_t kAxis>
+    HWY_INLINE V<Real> Displacement() const {
+        return hn::LoadU(D<Real>{}, Place<C>() + kAxis * stride);
     }
-    template <std::size_t C>
-    HWY_INLINE V3<Real> VelocityIncrement() const {
-        return Load3(Place<C>() + velocity, stride);
+    template <std::size_t C, std::size_t kAxis>
+    HWY_INLINE V<Real> VelocityIncrement() const {
+        return hn::LoadU(D<Real>{}, Place<C>() + velocity + kAxis * stride);
     }
 
 private:
@@ -62,44 +63,32 @@ constexpr unsigned mask_of(std::index_sequence<I...>) {
     return ((1U << I) | ...);
 }
 
-/// No interaction of the list before this one has the corner, too.
-constexpr bool is_first(unsigned list, std::size_t interaction, int corner) {
-    for (std::size_t i = 0; i < interaction; ++i) {
-        const auto& pair = HexahedronPairs::corners[i];
-        if ((list >> i & 1U) != 0 && (pair[0] == corner || pair[1] == corner)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/// A first contribution needs no sum.
-template <std::size_t I, unsigned kList, class Real>
-HWY_INLINE void AddPlain(V<Real> factor, const V3<Real>& distance, Forces<Real>& forces) {
-    constexpr int a = HexahedronPairs::corners[I][0];
-    constexpr int b = HexahedronPairs::corners[I][1];
-    const V3<Real> product{hn::Mul(factor, distance.x), hn::Mul(factor, distance.y), hn::Mul(factor, distance.z)};
-    forces.f[a] = is_first(kList, I, a) ? product : Plus<Real>(factor, distance, forces.f[a]);
-    forces.f[b] = Minus(factor, distance, is_first(kList, I, b) ? Zero3<Real>() : forces.f[b]);
-}
-
-/// kFull: no lane is void. In three passes, as AddCarried.
+/// kFull: no lane is void.
 template <bool kFull, bool kMeasure, class Real, std::size_t... I>
-HWY_INLINE void AddAllPlain(const SweepView<Real>& v, const PlainCorners<Real>& x, const std::uint8_t* weights,
-                            const float* limits, Forces<Real>& forces, Outcome<Real>& outcome,
-                            std::index_sequence<I...>) {
-    constexpr unsigned list = ((1U << I) | ...);
-    constexpr bool all_weigh = kFull && list == mask_of(InsideRow{});
-    const Stretched<Real> stretched[]{StretchOf<I>(v, x)...};
-    std::size_t at = 0;
-    V<Real> factor[sizeof...(I)];
-    ((factor[at] = Factor<I, all_weigh, false, kMeasure>(
-          v.interaction[I], stretched[at],
-          kFull && I >= HexahedronPairs::edges ? Same<Real>(1.0) : Weight<Real>(weights, I), limits, outcome),
-      ++at),
-     ...);
-    at = 0;
-    ((AddPlain<I, list>(factor[at], stretched[at].distance, forces), ++at), ...);
+CRACKSIM_INLINE void AddAllPlain(const SweepView<Real>& v, RowRun<Real>& run, std::size_t at,
+                                 const std::uint8_t* weights, const float* limits, Outcome<Real>& outcome,
+                                 std::index_sequence<I...> list) {
+    constexpr unsigned carried = mask_of(list);
+    constexpr bool all_weigh = kFull && carried == mask_of(InsideRow{});
+    const PlainCorners<Real> x = PlainCornersAt(v, run, at);
+    Interactions<Real> all;
+    ((all.weight[I] = kFull && I >= HexahedronPairs::edges ? Same<Real>(1.0) : Weight<Real>(weights, I)), ...);
+    FindStretches<all_weigh, false, kMeasure>(v, x, limits, all, outcome, list);
+    if (IsFar(outcome)) {
+        Forces<Real> forces;
+        AddFar<kMeasure>(v, carried, x, weights, limits, forces, outcome);
+        AddSides(v, forces, run, at);
+        return;
+    }
+    ForEach<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
+        V<Real> force[Hexahedron::corners];
+        AddForces<axis>(all, force, list);
+        ForEach<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
+            const auto [lower, upper] = corners_of_side[side];
+            AddComponentToSide<side, axis>(v, force[lower], force[upper], run, at);
+        });
+    });
+    std::fill_n(run.has_before, Lattice::sides, true);
 }
 
 /// Consecutive vectors of a row with a known list of interactions, from the place `at` to `end`.
@@ -108,16 +97,8 @@ HWY_NOINLINE void SweepPlain(SweepView<Real>& v, const RowView& row, RowRun<Real
                              RowSums<Real>& sums) {
     for (; at < end; at += vector_lanes<Real>) {
         const std::size_t site = row.first_site + at;
-        const std::uint8_t* weights = WeightsOf(v, site);
-        const float* limits = LimitsOf(v, site);
-        const PlainCorners<Real> x = PlainCornersAt(v, run, at);
-        Forces<Real> forces;
         Outcome<Real> outcome = Nothing<Real>();
-        AddAllPlain<kFull, kMeasure>(v, x, weights, limits, forces, outcome, List{});
-        if (IsFar(outcome)) {
-            AddFar<kMeasure>(v, mask_of(List{}), x, weights, limits, forces, outcome);
-        }
-        AddSides(v, forces, run, at);
+        AddAllPlain<kFull, kMeasure>(v, run, at, WeightsOf(v, site), LimitsOf(v, site), outcome, List{});
         Collect<kMeasure>(v, outcome, site, sums);
     }
 }
@@ -134,6 +115,9 @@ HWY_INLINE bool SweepPlain(unsigned list, SweepView<Real>& v, const RowView& row
         case mask_of(InsideRow{}): SweepPlain<InsideRow, false, kMeasure>(v, row, run, at, end, sums); return true;
         case mask_of(StartOfRow{}) | full:
             SweepPlain<StartOfRow, true, kMeasure>(v, row, run, at, end, sums);
+            return true;
+        case mask_of(LowestRow{}) | full:
+            SweepPlain<LowestRow, true, kMeasure>(v, row, run, at, end, sums);
             return true;
         default: return false;
     }

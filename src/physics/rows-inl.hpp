@@ -98,22 +98,29 @@ HWY_INLINE RowRun<Real> BeginRun(const SweepView<Real>& v, const RowView& row) {
     return run;
 }
 
-/// The forces of the entities from the place `at` on, and what those before them handed on, to a side in the base plane.
+/// A component of the forces on the lower and the upper corners of the entities from the place `at` on, and what those before them
+/// handed on, to a side in the base plane.
+template <std::size_t kSide, std::size_t kAxis, class Real>
+CRACKSIM_INLINE void AddComponentToSide(const SweepView<Real>& v, V<Real> lower, V<Real> upper, RowRun<Real>& run,
+                                        std::size_t at) {
+    const D<Real> d;
+    Real* force = run.side[kSide] + (Quantity::force + kAxis) * v.base_stride + at;
+    const V<Real> sum = hn::Add(hn::LoadU(d, force), Shifted<Real>(upper, Part<kAxis>(run.before.side[kSide])));
+    hn::StoreU(hn::Add(sum, lower), d, force);
+}
+
 template <std::size_t kSide, class Real>
-HWY_INLINE void AddSide(const SweepView<Real>& v, const Forces<Real>& forces, RowRun<Real>& run, std::size_t at) {
-    constexpr auto low = corners_of_side[kSide][0];
-    constexpr auto high = corners_of_side[kSide][1];
-    Real* force = run.side[kSide] + Quantity::force * v.base_stride + at;
-    V3<Real>& before = run.before.side[kSide];
-    const V3<Real> sum = Load3(force, v.base_stride);
-    const V3<Real> upper{Shifted<Real>(forces.f[high].x, before.x), Shifted<Real>(forces.f[high].y, before.y),
-                         Shifted<Real>(forces.f[high].z, before.z)};
-    Store3(Add(Add(sum, upper), forces.f[low]), force, v.base_stride);
+CRACKSIM_INLINE void AddSide(const SweepView<Real>& v, const Forces<Real>& forces, RowRun<Real>& run, std::size_t at) {
+    const V3<Real>& lower = forces.f[corners_of_side[kSide][0]];
+    const V3<Real>& upper = forces.f[corners_of_side[kSide][1]];
+    AddComponentToSide<kSide, 0>(v, lower.x, upper.x, run, at);
+    AddComponentToSide<kSide, 1>(v, lower.y, upper.y, run, at);
+    AddComponentToSide<kSide, 2>(v, lower.z, upper.z, run, at);
     run.has_before[kSide] = true;
 }
 
 template <class Real>
-HWY_INLINE void AddSides(const SweepView<Real>& v, const Forces<Real>& forces, RowRun<Real>& run, std::size_t at) {
+CRACKSIM_INLINE void AddSides(const SweepView<Real>& v, const Forces<Real>& forces, RowRun<Real>& run, std::size_t at) {
     AddSide<0>(v, forces, run, at);
     AddSide<1>(v, forces, run, at);
     AddSide<2>(v, forces, run, at);

@@ -28,6 +28,17 @@ struct V3 {
     V<Real> x, y, z;
 };
 
+template <std::size_t kAxis, class Vector>
+HWY_INLINE auto& Part(Vector& v) {
+    if constexpr (kAxis == 0) {
+        return v.x;
+    } else if constexpr (kAxis == 1) {
+        return v.y;
+    } else {
+        return v.z;
+    }
+}
+
 /// The same in all lanes.
 template <class Real>
 HWY_INLINE V<Real> Same(double value) {

@@ -17,7 +17,7 @@ namespace {
 using physics::HexahedronPairs;
 using physics::LocalDuplet;
 
-// By interaction, of interaction-inl.hpp and AddPlain: differences of u and w 6, extension 8 (diagonal 12), NearRatio 23, dw.d 5,
+// By interaction, of interaction-inl.hpp: differences of u and w 6, extension 8 (diagonal 12), NearRatios 23, dw.d 5,
 // drag 3, weight (k g + drag) 3, dissipation 3, range 1, and the two sums of forces 12.
 constexpr double flops_of_edge = 64;
 constexpr double flops_of_diagonal = 68;
