@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 
@@ -36,7 +38,7 @@ template <class Real>
 struct Outcome {
     V<Real> dissipated;
     V<Real> elastic;
-    V<Real> farthest;                           ///< largest |extension|
+    V<Real> farthest;                           ///< largest |extension - Series::centre|
     unsigned exceeded[HexahedronPairs::edges];  ///< by edge, a bit a lane
 };
 
@@ -81,9 +83,9 @@ CRACKSIM_INLINE void ForEach(Action&& action) {
 }
 
 /// For |x - 0.075| <= 0.425, without division or root. g0 = x P(x) is right to 0.1 %; with the residual R = (1 + x)(1 - g0)^2 - 1,
-/// r = (1 - g0)(1 + R)^(-1/2) to the third power of R, in single
-/// precision the second: to the last bits of g, relative to g, however small x. Of several x at once: one is a long chain of operations,
-/// and the processor works on several chains only where they are close to each other in the program.
+/// r = (1 - g0)(1 + R)^(-1/2) to the third power of R, in single precision the second: to the last bits of g, relative to g, however
+/// small x. Of several x at once: one is a long chain of operations, and the processor works on several chains only where they
+/// are close to each other in the program.
 template <std::size_t kCount, class Real>
 CRACKSIM_INLINE void NearRatios(const V<Real> (&x)[kCount], Ratio<Real> (&ratio)[kCount]) {
     const V<Real> one = Same<Real>(1.0);
@@ -141,7 +143,7 @@ HWY_INLINE V<Real> SquaredStretch(V<Real> x, const Ratio<Real>& ratio) {
 }
 
 /// Completes the extension of interaction I, and finds what decides about sensing and about the range of the series. kPlain: no entity
-/// is void.
+/// is void, so all ends are its corners.
 template <std::size_t I, bool kPlain, bool kFar, class Real>
 CRACKSIM_INLINE void Complete(const InteractionConstants<Real>& c, const float* limits, Interactions<Real>& all,
                               Outcome<Real>& sums) {
@@ -339,8 +341,11 @@ CRACKSIM_INLINE void AddForces(const Interactions<Real>& all, V<Real> (&force)[H
     (add(std::integral_constant<std::size_t, I>{}), ...);
 }
 
+constexpr std::size_t size_of_kind = HexahedronPairs::edges_per_axis;
+static_assert(size_of_kind == 4 && HexahedronPairs::diagonals == size_of_kind);
 template <std::size_t kKind>
-using Kind = std::index_sequence<4 * kKind, 4 * kKind + 1, 4 * kKind + 2, 4 * kKind + 3>;
+using Kind = std::index_sequence<size_of_kind * kKind, size_of_kind * kKind + 1, size_of_kind * kKind + 2,
+                                 size_of_kind * kKind + 3>;
 
 /// Four interactions: the edges along an axis, or the diagonals. If none of them is carried, they are left out.
 template <std::size_t kKind, bool kFar, bool kMeasure, class From, class Real, std::size_t... I>
@@ -363,7 +368,7 @@ CRACKSIM_INLINE void AddCarried(const SweepView<Real>& v, unsigned carried, cons
                                 Outcome<Real>& outcome) {
     outcome = Nothing<Real>();
     Interactions<Real> all;
-    ForEach<HexahedronPairs::count / 4>([&](auto kind) CRACKSIM_INLINE_LAMBDA {
+    ForEach<HexahedronPairs::count / size_of_kind>([&](auto kind) CRACKSIM_INLINE_LAMBDA {
         FindKind<kind, kFar, kMeasure>(v, carried, from, weights, limits, all, outcome, Kind<kind>{});
     });
     ForEach<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {

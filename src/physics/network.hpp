@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/block.hpp"
+#include "core/contracts.hpp"
 #include "core/id_array.hpp"
 #include "core/ids.hpp"
 #include "physics/entity_model.hpp"
@@ -114,6 +115,7 @@ public:
     [[nodiscard]] std::optional<Tie> tie_over(LocalMass m, int face) const;
     /// Threshold, a stretch, of a duplet that ties masses of a touched union.
     [[nodiscard]] double threshold(LocalDuplet d) const {
+        CRACKSIM_EXPECT(has_touched_duplet(d.value() / duplets_per_interface, d.value() % duplets_per_interface));
         return threshold_.empty() ? uniform_threshold_ : threshold_[d.index()];
     }
     /// Bit k is set where duplet k of an interface exists and ties masses of a touched union.

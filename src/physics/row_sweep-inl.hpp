@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 
 #include "physics/any_vectors-inl.hpp"
 #include "physics/plain_vectors-inl.hpp"

@@ -65,6 +65,7 @@ void UnionTable::find_planes(VertexSite v) {
 Slot UnionTable::assign(std::span<const LocalMass> part) {
     CRACKSIM_EXPECT(!part.empty() && std::ranges::is_sorted(part));
     const VertexSite v = lattice_->vertex(part.front());
+    CRACKSIM_EXPECT(is_touched(v));
     const bool alone = part.size() == 1;
     const int plane = !alone && part.front() == lattice_->smallest_at(v) ? base_plane : corner_of(part.front());
     for (const LocalMass m : part) {

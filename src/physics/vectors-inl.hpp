@@ -90,14 +90,6 @@ HWY_INLINE V3<Real> Add(const V3<Real>& a, const V3<Real>& b) {
     return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
 }
 template <class Real>
-HWY_INLINE V3<Real> Sub(const V3<Real>& a, const V3<Real>& b) {
-    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-template <class Real>
-HWY_INLINE V<Real> Dot(const V3<Real>& a, const V3<Real>& b) {
-    return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
-}
-template <class Real>
 HWY_INLINE V3<Real> Choose(hn::Mask<D<Real>> mask, const V3<Real>& yes, const V3<Real>& no) {
     return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
 }

@@ -41,6 +41,7 @@ double masses(const PartLoad& load) { return Hexahedron::corners * number(load.l
 
 bool has_one_threshold(const Scene& scene) { return scene.sensors.threshold.is_constant() && !scene.sensors.weibull; }
 
+/// But for the lattice, which is in state_bytes.
 double network_bytes(const PartLoad& load, bool one_threshold) {
     constexpr double per_entity = sizeof(EntityId) + sizeof(std::uint8_t) + Hexahedron::faces * sizeof(std::int32_t);
     const double thresholds = one_threshold ? 0 : duplets * sizeof(double);

@@ -21,7 +21,8 @@ using physics::LocalDuplet;
 // drag 3, weight (k g + drag) 3, dissipation 3, range 1, and the two sums of forces 12.
 constexpr double flops_of_edge = 64;
 constexpr double flops_of_diagonal = 68;
-// The first contribution to each of 8 corners needs no sum (-24), the corners' forces go to the unions (24), dissipation (2).
+// A first contribution to each of 8 corners would need no sum (-24), the corners' forces go to the unions (24), dissipation (2). What is
+// computed beside carried interactions, with weight 0, does not count.
 constexpr double flops_of_entity = 2;
 // w + F dt^2/M and u + w; with ab2 also 1.5 w - 0.5 w.
 constexpr double flops_of_union = 9;

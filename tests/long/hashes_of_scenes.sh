@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The hashes of the large scenes on 1, 2, 3, 4 and 7 ranks, METIS and slab, with and without --audit, in both builds, in both
-# precisions, with and without AVX.
+# precisions, with the widest vectors of this machine, with AVX2 and without.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source=jobs/environment.sh
@@ -22,7 +22,9 @@ compare() {
     shift 3
     mpirun -n "$ranks" "$binary" "inputs/$scene.yaml" --out "$work/run" --quiet --set output.surface=false \
         --set output.crack=false --set output.masses=false --set output.topology=false "$@"
-    found=$(python3 -c 'import json, sys; s = json.load(open(sys.argv[1])); print(s["event_hash"], s["state_hash"], s["events"]["splits"], "splits")' "$work/run/summary.json")
+    found=$(python3 -c 'import json, sys
+s = json.load(open(sys.argv[1]))
+print(s["event_hash"], s["state_hash"], s["events"]["splits"], "splits")' "$work/run/summary.json")
     expected[$scene$label]=${expected[$scene$label]:-$found}
     [[ $found == "${expected[$scene$label]}" ]] || { outcome=DIFFERENT; failed=1; }
     echo "$scene $outcome: $found  $ranks ranks, $binary, $*"
@@ -42,11 +44,17 @@ for scene in block_b tear; do
     compare "$scene" build/release/cracksim 2 --set sensors.prefilter=false
 done
 compare block build/sanitize/cracksim 2
+for ranks in 1 2 7; do
+    compare block build/release/cracksim "$ranks" --simd AVX2
+done
 label=", single"
 for ranks in 1 2 3 4 7; do
     for scene in block block_b tear; do
         compare "$scene" build/release/cracksim "$ranks" --set time.precision=single
     done
+done
+for ranks in 1 2 7; do
+    compare block build/release/cracksim "$ranks" --set time.precision=single --simd AVX2
 done
 label=", SCALAR"
 for ranks in 1 2 7; do

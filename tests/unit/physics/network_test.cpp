@@ -89,5 +89,30 @@ TEST(Network, TreeOfAnInteriorVertexFollowsAscendingIds) {
               (std::set<Pair>{{6, 15}, {6, 21}, {6, 34}, {15, 28}, {15, 43}, {21, 49}, {28, 56}}));
 }
 
+TEST(Network, ThresholdsAreThoseOfTheirPlacesWhereverTheFirstDifferentOneIs) {
+    for (const double from : {0.0, 0.5, 2.5, 3.5, 9.0}) {
+        test::SerialBlock block;
+        block.cells = {4, 3, 2};
+        block.thresholds.field = [from](Vec3 at) { return at.x > from && at.y > 0.5 ? 0.3 : 0.2; };
+        const Network network = block.network();
+        for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interfaces().size()); ++i) {
+            for (int k = 0; k < Network::duplets_per_interface; ++k) {
+                const LocalDuplet d{i * Network::duplets_per_interface + k};
+                const Vec3 at = network.rest_position(masses_of(network, d)[0]);
+                EXPECT_EQ(network.threshold(d), block.thresholds.field(at));
+            }
+        }
+    }
+}
+
+TEST(Network, OneThresholdTakesNoMemory) {
+    test::SerialBlock block;
+    const std::size_t uniform = block.network().memory_bytes();
+    block.thresholds.weibull = Weibull{4, 1};
+    const Network varied = block.network();
+    EXPECT_EQ(varied.memory_bytes(),
+              uniform + varied.interfaces().size() * Network::duplets_per_interface * sizeof(double));
+}
+
 }  // namespace
 }  // namespace cracksim::physics
