@@ -39,7 +39,10 @@ double between(const Range& range, double opened) {
 
 double masses(const PartLoad& load) { return Hexahedron::corners * number(load.local); }
 
-bool has_one_threshold(const Scene& scene) { return scene.sensors.threshold.is_constant() && !scene.sensors.weibull; }
+/// A factor does not change an infinite threshold.
+bool has_one_threshold(const Sensors& sensors) {
+    return sensors.threshold.is_constant() && (!sensors.weibull || std::isinf(sensors.threshold({}, 0)));
+}
 
 /// But for the lattice, which is in state_bytes.
 double network_bytes(const PartLoad& load, bool one_threshold) {
@@ -191,7 +194,7 @@ double event_bytes(const Scene& scene, const PartLoad& load, const RankSetting& 
 }  // namespace
 
 double model_bytes(const Scene& scene, const PartLoad& load, double opened) {
-    return network_bytes(load, has_one_threshold(scene)) + state_bytes(load, scene.time, opened) +
+    return network_bytes(load, has_one_threshold(scene.sensors)) + state_bytes(load, scene.time, opened) +
            coat_bytes(load, opened);
 }
 

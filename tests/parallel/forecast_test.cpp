@@ -57,7 +57,8 @@ TEST(ModelBytes, AreWhatNetworkStateAndMapHold) {
     const std::vector<std::pair<const char*, const char*>> cases{{"cordis", "threshold: 0.02"},
                                                                  {"ab2", "threshold: 0.02"},
                                                                  {"cordis", "threshold: 0.02 + x"},
-                                                                 {"cordis", "threshold: 0.02, weibull: {shape: 4}"}};
+                                                                 {"cordis", "threshold: 0.02, weibull: {shape: 4}"},
+                                                                 {"cordis", "threshold: .inf, weibull: {shape: 4}"}};
     for (const auto& [scheme, sensors] : cases) {
         const Scene scene = scene_of("[20, 16, 12]", "metis", scheme, sensors);
         Stopwatch stopwatch;

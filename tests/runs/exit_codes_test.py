@@ -121,11 +121,11 @@ def two_runs_do_not_share_a_directory(workplace, quick):
 def block_beyond_the_memory_is_refused(workplace, quick):
     if quick:
         return  # the sanitizers need all addresses
-    scene = workplace.write(SCENE.replace("[4, 4, 2]", "[300, 300, 100]"))
+    scene = workplace.write(SCENE.replace("[4, 4, 2]", "[400, 300, 100]"))
     for ranks in (1, 2):
         done = workplace.run("--as=2000000000", workplace.binary, scene, ranks=ranks, binary="prlimit")
         check(done.returncode == 2, f"the exit code is {done.returncode}, not 2\n{done.stdout}{done.stderr}")
-        check(len(message_lines(done, "9000000 entities need about")) == 1, f"the message is:\n{done.stderr}")
+        check(len(message_lines(done, "12000000 entities need about")) == 1, f"the message is:\n{done.stderr}")
 
 
 def support_may_start_with_infinite_acceleration(workplace, quick):
