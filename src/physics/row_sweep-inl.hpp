@@ -1,4 +1,5 @@
-// A row of entities in any state, once for each SIMD target: no include guard, but Highway's.
+// A row of entities in any state, once for each SIMD target: no include guard, but Highway's. Defines row_sweep.hpp for CRACKSIM_REAL,
+// one precision a source, for they take long to compile.
 #if defined(CRACKSIM_PHYSICS_ROW_SWEEP_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CRACKSIM_PHYSICS_ROW_SWEEP_INL_HPP
 #undef CRACKSIM_PHYSICS_ROW_SWEEP_INL_HPP
@@ -15,6 +16,7 @@
 
 #include "physics/any_vectors-inl.hpp"
 #include "physics/plain_vectors-inl.hpp"
+#include "physics/row_sweep.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
@@ -79,7 +81,31 @@ void SweepEntities(const SweepView<Real>& v, GatheredEntities<Real>& entities) {
     }
 }
 
+void SweepRowOfReal(SweepView<CRACKSIM_REAL>& v, const RowView& row, Measure measure) { SweepRow(v, row, measure); }
+void SweepEntitiesOfReal(const SweepView<CRACKSIM_REAL>& v, GatheredEntities<CRACKSIM_REAL>& entities) {
+    SweepEntities(v, entities);
+}
+
 }  // namespace cracksim::physics::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace cracksim::physics {
+
+HWY_EXPORT(SweepRowOfReal);
+HWY_EXPORT(SweepEntitiesOfReal);
+
+void sweep_row(SweepView<CRACKSIM_REAL>& v, const RowView& row, Measure measure) {
+    HWY_DYNAMIC_DISPATCH(SweepRowOfReal)(v, row, measure);
+}
+
+void sweep_entities(const SweepView<CRACKSIM_REAL>& v, GatheredEntities<CRACKSIM_REAL>& entities) {
+    HWY_DYNAMIC_DISPATCH(SweepEntitiesOfReal)(v, entities);
+}
+
+}  // namespace cracksim::physics
+
+#endif
 
 #endif

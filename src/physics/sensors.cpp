@@ -222,11 +222,7 @@ void update_edges(const Network& network, std::vector<VertexSite> vertices, Stat
     std::vector<LocalEntity> entities;
     for (const VertexSite v : vertices) {
         state.merging.update(state.unions, v);
-        for (int corner = 0; corner < Hexahedron::corners; ++corner) {
-            if (const LocalMass m = state.lattice().mass_at(v, corner); m != LocalMass{}) {
-                entities.push_back(entity_of(m));
-            }
-        }
+        state.lattice().for_each_mass_at(v, [&](LocalMass m) { entities.push_back(entity_of(m)); });
     }
     sort_and_make_unique(entities);
     for (const LocalEntity e : entities) {

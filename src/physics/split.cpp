@@ -141,12 +141,11 @@ std::vector<VertexSite> concerned_vertices(const Network& network, std::span<con
 
 std::vector<Slot> slots_at(const State& state, VertexSite v) {
     std::vector<Slot> slots;
-    for (const int corner : Lattice::ascending) {
-        const LocalMass m = state.lattice().mass_at(v, corner);
-        if (m != LocalMass{} && std::ranges::find(slots, state.unions.slot(m)) == slots.end()) {
+    state.lattice().for_each_mass_at(v, [&](LocalMass m) {
+        if (std::ranges::find(slots, state.unions.slot(m)) == slots.end()) {
             slots.push_back(state.unions.slot(m));
         }
-    }
+    });
     return slots;
 }
 
