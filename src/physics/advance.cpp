@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "core/contracts.hpp"
@@ -27,6 +25,14 @@ HWY_INLINE Vector NextIncrement(Vector increment, Vector mobility, Vector force)
     return hn::MulAdd(mobility, hn::Add(force, hn::Zero(d)), increment);
 }
 
+template <class Vector>
+HWY_INLINE Vector Extrapolated(Vector now, Vector before) {
+    const hn::DFromV<Vector> d;
+    using Real = hn::TFromD<decltype(d)>;
+    return hn::Sub(hn::Mul(hn::Set(d, static_cast<Real>(1.5)), now),
+                   hn::Mul(hn::Set(d, static_cast<Real>(0.5)), before));
+}
+
 template <bool kExtrapolate, class Real>
 HWY_INLINE void AdvanceLanes(Real* first, std::size_t stride, V<Real> limit, hn::Mask<D<Real>>& sane) {
     const D<Real> d;
@@ -42,11 +48,39 @@ HWY_INLINE void AdvanceLanes(Real* first, std::size_t stride, V<Real> limit, hn:
         hn::Store(hn::Add(hn::Load(d, displacement), w), d, displacement);
         hn::Store(hn::Zero(d), d, force);
         if constexpr (kExtrapolate) {
-            const V<Real> next = hn::Sub(hn::Mul(Same<Real>(1.5), w), hn::Mul(Same<Real>(0.5), before));
-            hn::Store(next, d, component(Quantity::extrapolated + i));
+            hn::Store(Extrapolated(w, before), d, component(Quantity::extrapolated + i));
         }
         sane = hn::And(sane, hn::Lt(hn::Abs(w), limit));
     }
+}
+
+/// Those in the pool. False: some increment makes no sense.
+template <bool kExtrapolate, class Real>
+HWY_INLINE bool AdvancePooled(const AdvanceView<Real>& v) {
+    const hn::CappedTag<Real, Pooled::together> d;
+    const auto limit = hn::Set(d, static_cast<Real>(v.longest_increment));
+    auto sane = hn::Eq(limit, limit);
+    for (const PoolPlace first_place : v.pooled) {
+        for (PoolPlace place = first_place; place != PoolPlace{}; place = v.next_pooled[place.index()]) {
+            Real* const first = v.pool + place.index() * v.pool_stride;
+            const auto mobility = hn::Set(d, first[Pooled::mobility]);
+            for (std::size_t lane = 0; lane < Pooled::together; lane += hn::Lanes(d)) {
+                Real* const increment = first + Pooled::at(Quantity::increment) + lane;
+                Real* const displacement = first + Pooled::at(Quantity::displacement) + lane;
+                Real* const force = first + Pooled::at(Quantity::force) + lane;
+                const auto before = hn::Load(d, increment);
+                const auto w = NextIncrement(before, mobility, hn::Load(d, force));
+                hn::Store(w, d, increment);
+                hn::Store(hn::Add(hn::Load(d, displacement), w), d, displacement);
+                hn::Store(hn::Zero(d), d, force);
+                if constexpr (kExtrapolate) {
+                    hn::Store(Extrapolated(w, before), d, first + Pooled::at(Quantity::extrapolated) + lane);
+                }
+                sane = hn::And(sane, hn::Lt(hn::Abs(w), limit));
+            }
+        }
+    }
+    return hn::AllTrue(d, sane);
 }
 
 template <bool kExtrapolate, class Real>
@@ -57,12 +91,7 @@ void AdvanceAll(AdvanceView<Real>& v) {
     for (std::size_t at = 0; at < v.length; at += hn::Lanes(d)) {
         AdvanceLanes<kExtrapolate>(v.base + at, v.base_stride, limit, sane);
     }
-    for (Real* const block : v.blocks) {
-        for (std::size_t lane = 0; lane < Lattice::lanes; lane += hn::Lanes(d)) {
-            AdvanceLanes<kExtrapolate>(block + lane, Motion::block_stride, limit, sane);
-        }
-    }
-    v.broken = v.broken || !hn::AllTrue(d, sane);
+    v.broken = v.broken || !hn::AllTrue(d, sane) || !AdvancePooled<kExtrapolate>(v);
 }
 
 template <class Real>
@@ -213,7 +242,7 @@ private:
                 first |= vertices.cell_row[other] < 0 ? planes_by_side[other] : 0U;
             }
         }
-        return first & (state_->motion.planes_in_row(row) | bit_of(base_plane));
+        return first;
     }
 
     void advance_planes_of(std::size_t row, unsigned met) {
@@ -235,7 +264,10 @@ private:
         AdvanceView<Real> view{motion.in<Real>().base() + first,
                                motion.base_stride(),
                                (met & bit_of(base_plane)) != 0 ? length : 0,
-                               find_blocks<Real>(first / Lattice::lanes, length / Lattice::lanes, met),
+                               motion.in<Real>().pool(),
+                               motion.pool_stride(),
+                               find_pooled(row, met),
+                               motion.next_pooled(),
                                state_->scheme == Scheme::ab2,
                                longest_,
                                broken_};
@@ -243,16 +275,14 @@ private:
         broken_ = view.broken;
     }
 
-    template <class Real>
-    std::span<Real* const> find_blocks(std::size_t first_group, std::size_t groups, unsigned met) {
-        auto& blocks = std::get<std::vector<Real*>>(blocks_);
-        blocks.clear();
-        for (std::size_t group = first_group; group < first_group + groups; ++group) {
-            for (unsigned bits = state_->motion.planes_in_use()[group] & met; bits != 0; bits &= bits - 1) {
-                blocks.push_back(state_->motion.block<Real>(group, std::countr_zero(bits)));
+    [[nodiscard]] std::array<PoolPlace, Lattice::sides> find_pooled(std::size_t row, unsigned met) const {
+        std::array<PoolPlace, Lattice::sides> found;
+        for (std::size_t side = 0; side < Lattice::sides; ++side) {
+            if ((met & planes_by_side[side] & ~bit_of(base_plane)) != 0) {
+                found[side] = state_->motion.first_pooled(row, side);
             }
         }
-        return blocks;
+        return found;
     }
 
     /// Calls action(slot) for the held unions of some planes.
@@ -295,7 +325,6 @@ private:
     std::span<const NextMotion> received_;
     double longest_;
     bool broken_{false};
-    std::tuple<std::vector<double*>, std::vector<float*>> blocks_;  ///< those of a row, in the motion's precision
     std::vector<Before> before_;
     std::size_t held_count_{0};  ///< of these, the first
 };

@@ -1,17 +1,22 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <span>
+
+#include "physics/motion.hpp"
 
 namespace cracksim::physics {
 
-/// A row of vertices for one advance: the base plane, and the blocks of its other planes (motion.hpp).
+/// Some unions of a row of vertices for one advance: in the base plane, and in the pool (motion.hpp).
 template <class Real>
 struct AdvanceView {
     Real* base;
     std::size_t base_stride;
     std::size_t length;
-    std::span<Real* const> blocks;
+    Real* pool;
+    std::size_t pool_stride;
+    std::array<PoolPlace, Lattice::sides> pooled;  ///< the first ones
+    const PoolPlace* next_pooled;
     bool extrapolates;
     double longest_increment;  ///< m; beyond it a motion makes no sense
     bool broken;               ///< out: some increment is beyond it or not a number

@@ -8,7 +8,6 @@
 
 #include <hwy/highway.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -20,178 +19,96 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-/// A corner of the entities of a vector: the vertex of the first of them, and the planes of their motions.
-struct VectorCorner {
-    std::size_t vertex;
-    unsigned planes;                  ///< bit p is set where plane p holds the corner of some entity
-    const std::uint8_t* lane_planes;  ///< [lane]
-    bool crosses;                     ///< the last entity's is in the next group of vertices
-
-    [[nodiscard]] HWY_INLINE bool has_base() const { return (planes >> base_plane & 1U) != 0; }
-    [[nodiscard]] HWY_INLINE bool is_base() const { return planes == 1U << base_plane; }
-    /// One plane holds the corners of all entities.
-    [[nodiscard]] HWY_INLINE bool is_in_one_plane() const { return (planes & (planes - 1)) == 0; }
-    /// The lanes whose corner is in a plane.
-    template <class Real>
-    [[nodiscard]] HWY_INLINE hn::Mask<D<Real>> InPlane(std::size_t plane) const {
-        return hn::Eq(FromBytes<Real>(lane_planes), Same<Real>(static_cast<double>(plane)));
-    }
-};
-
-template <class Real>
-HWY_INLINE VectorCorner CornerOf(const SweepView<Real>& v, const RowView& row, std::size_t at, std::size_t corner) {
-    const auto c = static_cast<int>(corner);
-    const std::size_t site = row.first_site + at;
-    const auto along = static_cast<std::size_t>(Lattice::along(c));
-    const std::size_t vertex = row.vertex[Lattice::side(c)] + at + along;
-    return {
-        vertex, PlanesOf(v, site, corner),
-        v.lane_planes + (site / Lattice::lanes * Hexahedron::corners + corner) * Lattice::lanes + site % Lattice::lanes,
-        along != 0 && vertex % Lattice::lanes + vector_lanes<Real> > Lattice::lanes};
-}
-
-template <class Real>
-HWY_INLINE hn::Mask<D<Real>> AllButLast() {
-    return hn::FirstN(D<Real>{}, vector_lanes<Real> - 1);
-}
-
-template <class Real>
-HWY_INLINE Real* BlockAt(const SweepView<Real>& v, std::int32_t index) {
-    return v.blocks + static_cast<std::size_t>(index) * v.block_size;
-}
-
-/// Calls action(place, lanes) for each block that holds the corner of some entities, lanes being the mask of these: where the first
-/// lane is. Of a corner that crosses without the last lane; for that one calls last(place).
-template <class Action, class Last, class Real>
-HWY_INLINE void ForEachBlock(const SweepView<Real>& v, const VectorCorner& corner, Action&& action, Last&& last) {
-    const std::int32_t* block_of = v.block_of + corner.vertex / Lattice::lanes * planes;
-    for (unsigned bits = corner.planes & ~(1U << base_plane); bits != 0; bits &= bits - 1) {
-        const auto plane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
-        // None: only the last lane, in the next group, has its corner in this plane.
-        if (block_of[plane] >= 0) {
-            const auto lanes = corner.InPlane<Real>(plane);
-            action(BlockAt(v, block_of[plane]) + corner.vertex % Lattice::lanes,
-                   corner.crosses ? hn::And(lanes, AllButLast<Real>()) : lanes);
+/// Calls action(place, corner, lane) for the corners of the entities of a vector that are in the pool, those of a union by
+/// ascending masses.
+template <class Real, class Action>
+HWY_INLINE void ForEachPooled(const SweepView<Real>& v, std::size_t site, Action&& action) {
+    constexpr std::size_t lanes = vector_lanes<Real>;
+    for (std::size_t first = 0; first < lanes; first += Lattice::half) {
+        const std::int32_t index = v.pooled_of_half[(site + first) / Lattice::half];
+        if (index < 0) {
+            continue;
+        }
+        const PooledCorners& half = v.pooled[index];
+        for (std::size_t i = 0; i < half.count; ++i) {
+            const std::size_t lane = first + half.lane[i] - site % Lattice::half;
+            if (lanes >= Lattice::half || lane < lanes) {
+                action(half.place[i], half.corner[i], lane);
+            }
         }
     }
-    const std::size_t last_plane = corner.lane_planes[vector_lanes<Real> - 1];
-    if (corner.crosses && last_plane != base_plane) {
-        last(BlockAt(v, block_of[planes + last_plane]));
-    }
 }
 
-/// The same for a corner that is in one plane, not the base: first(place) for all lanes, or all but the last one.
-template <class First, class Last, class Real>
-HWY_INLINE void OfOnePlane(const SweepView<Real>& v, const VectorCorner& corner, First&& first, Last&& last) {
-    const auto plane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(corner.planes));
-    const std::int32_t* block_of = v.block_of + corner.vertex / Lattice::lanes * planes + plane;
-    first(BlockAt(v, block_of[0]) + corner.vertex % Lattice::lanes);
-    if (corner.crosses) {
-        last(BlockAt(v, block_of[planes]));
-    }
-}
-
-/// What stands at the place of the last lane, in all of them.
+/// A bit for each lane whose corner is in the base plane or void.
 template <class Real>
-HWY_INLINE V3<Real> Same3(const Real* from) {
-    return {Same<Real>(from[0]), Same<Real>(from[Motion::block_stride]), Same<Real>(from[2 * Motion::block_stride])};
-}
-
-/// Displacement, and what damping takes for the increment.
-template <class Real>
-struct CornerMotion {
-    V3<Real> u;
-    V3<Real> w;
-};
-
-template <class Real>
-HWY_INLINE CornerMotion<Real> MotionInBase(const SweepView<Real>& v, const VectorCorner& corner) {
-    const Real* base = v.base + corner.vertex;
-    return {Load3(base, v.base_stride), Load3(base + v.velocity_quantity * v.base_stride, v.base_stride)};
-}
-
-template <class Real>
-HWY_INLINE CornerMotion<Real> MotionInBlock(const SweepView<Real>& v, const Real* from) {
-    return {Load3(from, Motion::block_stride),
-            Load3(from + v.velocity_quantity * Motion::block_stride, Motion::block_stride)};
-}
-
-template <class Real>
-HWY_INLINE void SetLast(const SweepView<Real>& v, const Real* from, CornerMotion<Real>& motion) {
-    motion.u = Choose<Real>(AllButLast<Real>(), motion.u, Same3(from));
-    motion.w = Choose<Real>(AllButLast<Real>(), motion.w, Same3(from + v.velocity_quantity * Motion::block_stride));
-}
-
-template <class Real>
-CRACKSIM_INLINE CornerMotion<Real> MotionOf(const SweepView<Real>& v, const VectorCorner& corner) {
-    if (corner.is_base()) {
-        return MotionInBase(v, corner);
-    }
-    CornerMotion<Real> motion;
-    const auto set_last = [&](const Real* from) { SetLast(v, from, motion); };
-    if (corner.is_in_one_plane()) {
-        OfOnePlane(
-            v, corner, [&](const Real* from) { motion = MotionInBlock(v, from); }, set_last);
-        return motion;
-    }
-    motion = MotionInBase(v, corner);
-    const auto set_lanes = [&](const Real* from, hn::Mask<D<Real>> lanes) {
-        const CornerMotion<Real> there = MotionInBlock(v, from);
-        motion.u = Choose<Real>(lanes, there.u, motion.u);
-        motion.w = Choose<Real>(lanes, there.w, motion.w);
+HWY_INLINE std::uint8_t LanesInBase(const SweepView<Real>& v, std::size_t site, std::size_t corner) {
+    const auto of_half = [&](std::size_t at) -> unsigned {
+        const std::int32_t index = v.pooled_of_half[at / Lattice::half];
+        return index < 0 ? PooledCorners::all_lanes : v.pooled[index].in_base[corner];
     };
-    ForEachBlock(v, corner, set_lanes, set_last);
-    return motion;
-}
-
-template <class Real>
-HWY_INLINE V3<Real> Where(hn::Mask<D<Real>> lanes, const V3<Real>& v) {
-    return {hn::IfThenElseZero(lanes, v.x), hn::IfThenElseZero(lanes, v.y), hn::IfThenElseZero(lanes, v.z)};
-}
-
-template <class Real>
-HWY_INLINE void AddToBlock(Real* block, const V3<Real>& force) {
-    Real* to = block + Quantity::force * Motion::block_stride;
-    Store3(Add(Load3(to, Motion::block_stride), force), to, Motion::block_stride);
-}
-
-template <class Real>
-HWY_INLINE void AddLast(Real* block, const V3<Real>& force) {
-    HWY_ALIGN Real all[3][vector_lanes<Real>];
-    Store3(force, all[0], vector_lanes<Real>);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        block[(Quantity::force + axis) * Motion::block_stride] += all[axis][vector_lanes<Real> - 1];
+    unsigned bits = of_half(site) >> site % Lattice::half;
+    if constexpr (is_whole_batch<Real>) {
+        bits |= of_half(site + Lattice::half) << unsigned{Lattice::half};
     }
+    return static_cast<std::uint8_t>(bits & ((1U << vector_lanes<Real>)-1));
 }
 
-/// The forces on corners that are not in the base plane, which are zero there afterwards. To the other lanes' places zero is added:
-/// masked stores are slow.
 template <class Real>
-CRACKSIM_INLINE void AddToBlocks(const SweepView<Real>& v, const VectorCorner& corner, V3<Real>& force) {
-    const auto add_last = [&](Real* block) { AddLast(block, force); };
-    if (corner.is_in_one_plane()) {
-        const auto add = [&](Real* block) {
-            AddToBlock(block, corner.crosses ? Where<Real>(AllButLast<Real>(), force) : force);
-        };
-        OfOnePlane(v, corner, add, add_last);
-        force = Zero3<Real>();
+HWY_INLINE V3<Real> Where(std::uint8_t lanes, const V3<Real>& v) {
+    const auto mask = hn::LoadMaskBits(D<Real>{}, &lanes);
+    return {hn::IfThenElseZero(mask, v.x), hn::IfThenElseZero(mask, v.y), hn::IfThenElseZero(mask, v.z)};
+}
+
+/// Puts the motions of all corners together, wherever they are.
+template <class Real>
+CRACKSIM_INLINE void Assemble(const SweepView<Real>& v, const RowView& row, std::size_t at,
+                              Assembled<Real>& assembled) {
+    for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
+        const auto corner = static_cast<int>(c);
+        const Real* base = v.base + row.vertex[Lattice::side(corner)] + at + Lattice::along(corner);
+        Store3(Load3(base, v.base_stride), assembled.motion[c][0], vector_lanes<Real>);
+        Store3(Load3(base + v.velocity_quantity * v.base_stride, v.base_stride), assembled.motion[c][3],
+               vector_lanes<Real>);
+    }
+    const std::size_t velocity = Pooled::at(v.velocity_quantity);
+    ForEachPooled(v, row.first_site + at, [&](PoolPlace place, std::size_t corner, std::size_t lane) {
+        const Real* from = v.pool + place.index() * v.pool_stride;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            assembled.motion[corner][axis][lane] = from[axis];
+            assembled.motion[corner][3 + axis][lane] = from[velocity + axis];
+        }
+    });
+}
+
+/// Adds the forces on corners that are in the pool.
+template <class Real>
+CRACKSIM_INLINE void AddToPool(const SweepView<Real>& v, std::size_t site, const Forces<Real>& forces) {
+    HWY_ALIGN Real all[Hexahedron::corners][3][vector_lanes<Real>];
+    for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
+        Store3(forces.f[c], all[c][0], vector_lanes<Real>);
+    }
+    ForEachPooled(v, site, [&](PoolPlace place, std::size_t corner, std::size_t lane) {
+        Real* to = v.pool + place.index() * v.pool_stride + Pooled::at(Quantity::force);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            to[axis] += all[corner][axis][lane];
+        }
+    });
+}
+
+/// The forces on corners in the base plane. Entities of which no corner on a side is there have nothing for that side's vertices.
+template <std::size_t kSide, class Real>
+CRACKSIM_INLINE void AddSideInBase(const SweepView<Real>& v, std::size_t site, Forces<Real>& forces, RowRun<Real>& run,
+                                   std::size_t at) {
+    const auto [lower, upper] = corners_of_side[kSide];
+    const std::uint8_t lower_lanes = LanesInBase(v, site, lower);
+    const std::uint8_t upper_lanes = LanesInBase(v, site, upper);
+    if ((lower_lanes | upper_lanes) == 0) {
+        Deliver<kSide>(v, run, at);
         return;
     }
-    const auto add = [&](Real* block, hn::Mask<D<Real>> lanes) { AddToBlock(block, Where<Real>(lanes, force)); };
-    ForEachBlock(v, corner, add, add_last);
-    force = Where<Real>(corner.InPlane<Real>(base_plane), force);
-}
-
-/// Entities of which no corner on a side is in the base plane have nothing for that side's vertices there.
-template <std::size_t kSide, class Real>
-CRACKSIM_INLINE void AddSideInUse(const SweepView<Real>& v, const VectorCorner* corners, const Forces<Real>& forces,
-                                  RowRun<Real>& run, std::size_t at) {
-    const auto [lower, upper] = corners_of_side[kSide];
-    if (corners[lower].has_base() || corners[upper].has_base()) {
-        AddSide<kSide>(v, forces, run, at);
-    } else {
-        Deliver<kSide>(v, run, at);
-    }
+    forces.f[lower] = Where<Real>(lower_lanes, forces.f[lower]);
+    forces.f[upper] = Where<Real>(upper_lanes, forces.f[upper]);
+    AddSide<kSide>(v, forces, run, at);
 }
 
 /// Carried interactions of entities whose corners' motions are found in `from`.
@@ -221,30 +138,18 @@ HWY_NOINLINE void SweepBase(SweepView<Real>& v, const RowView& row, RowRun<Real>
 template <bool kMeasure, class Real>
 HWY_NOINLINE void SweepSplit(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
                              unsigned carried, RowSums<Real>& sums) {
-    std::array<VectorCorner, Hexahedron::corners> corners;
+    const std::size_t site = row.first_site + at;
     Assembled<Real> assembled;
-    for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
-        corners[c] = CornerOf(v, row, at, c);
-        const CornerMotion<Real> motion = MotionOf(v, corners[c]);
-        Store3(motion.u, assembled.motion[c][0], vector_lanes<Real>);
-        Store3(motion.w, assembled.motion[c][3], vector_lanes<Real>);
-    }
+    Assemble(v, row, at, assembled);
     Forces<Real> forces;
     Outcome<Real> outcome;
-    AddInteractions<kMeasure>(v, row.first_site + at, carried, assembled, forces, outcome);
-    // At each vertex the upper corner of an entity before the lower one of the next: ascending masses.
-    for (const auto& [lower, upper] : corners_of_side) {
-        for (const std::size_t corner : {upper, lower}) {
-            if (!corners[corner].is_base()) {
-                AddToBlocks(v, corners[corner], forces.f[corner]);
-            }
-        }
-    }
-    AddSideInUse<0>(v, corners.data(), forces, run, at);
-    AddSideInUse<1>(v, corners.data(), forces, run, at);
-    AddSideInUse<2>(v, corners.data(), forces, run, at);
-    AddSideInUse<3>(v, corners.data(), forces, run, at);
-    Collect<kMeasure>(v, outcome, row.first_site + at, sums);
+    AddInteractions<kMeasure>(v, site, carried, assembled, forces, outcome);
+    AddToPool(v, site, forces);
+    AddSideInBase<0>(v, site, forces, run, at);
+    AddSideInBase<1>(v, site, forces, run, at);
+    AddSideInBase<2>(v, site, forces, run, at);
+    AddSideInBase<3>(v, site, forces, run, at);
+    Collect<kMeasure>(v, outcome, site, sums);
 }
 
 template <bool kMeasure, class Real>

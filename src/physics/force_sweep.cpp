@@ -26,8 +26,8 @@ SweepView<Real> inputs_of(const Network& network, const State& state) {
         v.interaction[i] = constants<Real>(network.model(), i, state.step_size);
     }
     v.velocity_quantity = state.velocity_quantity();
-    v.planes = state.unions.half_planes();
-    v.lane_planes = state.unions.lane_planes();
+    v.pooled_of_half = state.pooled.index();
+    v.pooled = state.pooled.halves();
     v.weights = state.merging.weights();
     v.carried = state.merging.carried();
     v.limits = state.sensing.limit.data();
@@ -37,12 +37,11 @@ SweepView<Real> inputs_of(const Network& network, const State& state) {
 template <class Real>
 SweepView<Real> view_of(const Network& network, State& state) {
     SweepView<Real> v = inputs_of<Real>(network, state);
-    auto& planes = state.motion.in<Real>();
-    v.base = planes.base();
+    auto& numbers = state.motion.in<Real>();
+    v.base = numbers.base();
     v.base_stride = state.motion.base_stride();
-    v.blocks = planes.blocks();
-    v.block_size = state.motion.block_size();
-    v.block_of = state.motion.block_of();
+    v.pool = numbers.pool();
+    v.pool_stride = state.motion.pool_stride();
     v.exceeded = state.sensing.exceeded.data();
     return v;
 }

@@ -7,6 +7,7 @@
 #include "physics/entity_model.hpp"
 #include "physics/lattice.hpp"
 #include "physics/motion.hpp"
+#include "physics/pooled_corners.hpp"
 
 namespace cracksim::physics {
 
@@ -69,18 +70,18 @@ struct SweepView {
     std::array<InteractionConstants<Real>, HexahedronPairs::count> interaction;
     Real* base;  ///< the motion (motion.hpp)
     std::size_t base_stride;
-    Real* blocks;
-    std::size_t block_size;
-    const std::int32_t* block_of;  ///< [group of vertices][plane]
+    Real* pool;
+    std::size_t pool_stride;
     std::size_t velocity_quantity;
-    const std::uint8_t* planes;       ///< [half of a batch][corner], a bit each
-    const std::uint8_t* lane_planes;  ///< [batch][corner][lane]
-    const std::uint8_t* weights;      ///< [batch][row][lane]
-    const std::uint32_t* carried;     ///< [half of a batch]
-    const float* limits;              ///< [batch][axis][lane]
-    EdgeBits* exceeded;               ///< [batch]: edges stretched beyond their limit
-    double dissipated;                ///< out: sum of (z/dt) (dw.n)^2, J
-    double elastic;                   ///< out: sum of k e^2 / 2, J
+    const std::int32_t*
+        pooled_of_half;  ///< [half of a batch]: index into pooled, -1 where all corners are in the base plane
+    const PooledCorners* pooled;
+    const std::uint8_t* weights;   ///< [batch][row][lane]
+    const std::uint32_t* carried;  ///< [half of a batch]
+    const float* limits;           ///< [batch][axis][lane]
+    EdgeBits* exceeded;            ///< [batch]: edges stretched beyond their limit
+    double dissipated;             ///< out: sum of (z/dt) (dw.n)^2, J
+    double elastic;                ///< out: sum of k e^2 / 2, J
 };
 
 /// Some entities, wherever they are: [component][corner][lane]; in: u and what damping takes for w, m; out: forces, N.

@@ -1,7 +1,7 @@
 #include "physics/motion.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <utility>
 
 #include "core/contracts.hpp"
 
@@ -19,106 +19,164 @@ std::size_t stride_for(std::size_t sites) {
     return ((lines + lines_of_page - 1 - apart) / lines_of_page * lines_of_page + apart) * lanes;
 }
 
-std::variant<MotionNumbers<double>, MotionNumbers<float>> numbers_in(Precision precision, std::size_t base_size,
-                                                                     std::size_t blocks_size) {
+std::variant<MotionNumbers<double>, MotionNumbers<float>> numbers_in(Precision precision, std::size_t base_size) {
     if (precision == Precision::binary32) {
-        return MotionNumbers<float>{base_size, blocks_size};
+        return MotionNumbers<float>{base_size};
     }
-    return MotionNumbers<double>{base_size, blocks_size};
+    return MotionNumbers<double>{base_size};
+}
+
+/// Calls action(quantity, components) for what a slot holds.
+void for_each_quantity(bool extrapolates, auto&& action) {
+    action(Quantity::displacement, 3);
+    action(Quantity::increment, 3);
+    action(Quantity::force, 3);
+    action(Quantity::mobility, 1);
+    if (extrapolates) {
+        action(Quantity::extrapolated, 3);
+    }
 }
 
 }  // namespace
 
 template <class Real>
-void MotionNumbers<Real>::reorder_blocks(std::size_t size, std::size_t block_size,
-                                         const std::vector<std::int32_t>& order) {
-    std::vector<Real, LineAllocator<Real>> reordered(size, Real{0});
-    Real* to = reordered.data();
-    for (const std::int32_t index : order) {
-        to = std::copy_n(blocks() + static_cast<std::size_t>(index) * block_size, block_size, to);
+void MotionNumbers<Real>::extend_pool(std::size_t numbers_of_union) {
+    const std::size_t size = pool_.size() + numbers_of_union;
+    if (size > pool_.capacity()) {
+        pool_.reserve(size + size / 2);
     }
-    blocks_ = std::move(reordered);
+    pool_.resize(size, Real{0});
+}
+
+template <class Real>
+void MotionNumbers<Real>::reorder_pool(std::size_t numbers_of_union, std::span<const PoolPlace> order) {
+    std::vector<Real, LineAllocator<Real>> ordered;
+    ordered.reserve(pool_.capacity());
+    for (const PoolPlace place : order) {
+        const auto from = pool_.cbegin() + static_cast<std::ptrdiff_t>(place.index() * numbers_of_union);
+        ordered.insert(ordered.end(), from, from + static_cast<std::ptrdiff_t>(numbers_of_union));
+    }
+    pool_ = std::move(ordered);
 }
 
 template class MotionNumbers<double>;
 template class MotionNumbers<float>;
 
 Motion::Motion(const Lattice& lattice, bool extrapolates, Precision precision)
-    : components_{Quantity::mobility + 1 + (extrapolates ? 3U : 0U)},
+    : extrapolates_{extrapolates},
       base_stride_{stride_for(lattice.vertex_sites())},
-      numbers_{numbers_in(precision, components_ * base_stride_, guard)},
-      block_of_(lattice.vertex_sites() / lanes * planes, -1),
-      planes_in_use_(lattice.vertex_sites() / lanes, 0),
-      planes_in_row_(lattice.vertex_rows().size(), 0) {
-    for (std::size_t group = 0; group < planes_in_use_.size(); ++group) {
+      pool_stride_{Pooled::together * (extrapolates ? 4U : 3U)},
+      numbers_{numbers_in(precision, (Quantity::mobility + 1 + (extrapolates ? 3U : 0U)) * base_stride_)},
+      pooled_at_(lattice.vertex_sites(), -1),
+      first_pooled_(lattice.vertex_rows().size()) {
+    for (std::size_t group = 0; group < lattice.vertex_sites() / lanes; ++group) {
         row_of_group_.push_back(lattice.vertex_row(VertexSite{static_cast<std::int32_t>(group * lanes)}));
     }
 }
 
 void Motion::open(Slot s) {
-    const std::size_t group = vertex_of(s).index() / lanes;
-    const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(plane_of(s)));
-    if (plane_of(s) == base_plane || (planes_in_use_[group] & bit) != 0) {
+    if (plane_of(s) == base_plane) {
         return;
     }
-    const std::size_t room = std::visit([](const auto& numbers) { return numbers.blocks_size(); }, numbers_);
-    if (guard + (block_count_ + 1) * block_size() > room) {
-        make_room();
+    const std::size_t v = vertex_of(s).index();
+    if (pooled_at_[v] < 0) {
+        pooled_at_[v] = static_cast<std::int32_t>(places_.size());
+        places_.emplace_back();
     }
-    block_of_[entry(group, plane_of(s))] = static_cast<std::int32_t>(block_count_++);
-    planes_in_use_[group] |= bit;
-    planes_in_row_[static_cast<std::size_t>(row_of_group_[group])] |= bit;
+    PoolPlace& found = places_[static_cast<std::size_t>(pooled_at_[v])][static_cast<std::size_t>(plane_of(s))];
+    if (found == PoolPlace{}) {
+        found = PoolPlace{static_cast<std::int32_t>(next_pooled_.size())};
+        std::visit([&](auto& numbers) { numbers.extend_pool(pool_stride_); }, numbers_);
+        PoolPlace& first =
+            first_pooled_[static_cast<std::size_t>(row_of_group_[v / lanes])][Lattice::side(plane_of(s))];
+        next_pooled_.push_back(std::exchange(first, found));
+        ++disordered_;
+    }
 }
 
-/// Half as many blocks again, and all of them in the order in which the sweep meets them.
-void Motion::make_room() {
-    std::vector<std::int32_t> order;
-    for (std::size_t group = 0; group < planes_in_use_.size(); ++group) {
-        for (unsigned bits = planes_in_use_[group]; bits != 0; bits &= bits - 1) {
-            std::int32_t& index = block_of_[entry(group, std::countr_zero(bits))];
-            order.push_back(index);
-            index = static_cast<std::int32_t>(order.size()) - 1;
+void Motion::order_pool(const Lattice& lattice) {
+    std::vector<PoolPlace> order;
+    std::vector<Places> places;
+    order.reserve(next_pooled_.size());
+    places.reserve(places_.capacity());
+    for (std::size_t row = 0; row < first_pooled_.size(); ++row) {
+        const Lattice::VertexRow& vertices = lattice.vertex_rows()[row];
+        const std::span<std::int32_t> pooled_at = std::span{pooled_at_}.subspan(
+            static_cast<std::size_t>(vertices.first), static_cast<std::size_t>(vertices.length));
+        for (std::int32_t& at : pooled_at) {
+            if (at >= 0) {
+                places.push_back(places_[static_cast<std::size_t>(at)]);
+                at = static_cast<std::int32_t>(places.size()) - 1;
+            }
+        }
+        for (std::size_t side = 0; side < Lattice::sides; ++side) {
+            const std::size_t first = order.size();
+            for (const std::int32_t at : pooled_at) {
+                for (int plane = 0; at >= 0 && plane < planes; ++plane) {
+                    PoolPlace& place = places[static_cast<std::size_t>(at)][static_cast<std::size_t>(plane)];
+                    if (Lattice::side(plane) == side && place != PoolPlace{}) {
+                        order.push_back(place);
+                        place = PoolPlace{static_cast<std::int32_t>(order.size()) - 1};
+                    }
+                }
+            }
+            chain(row, side, first, order.size());
         }
     }
-    const std::size_t size = guard + (block_count_ + block_count_ / 2 + lanes) * block_size();
-    std::visit([&](auto& numbers) { numbers.reorder_blocks(size, block_size(), order); }, numbers_);
+    CRACKSIM_EXPECT(order.size() == next_pooled_.size());
+    std::visit([&](auto& numbers) { numbers.reorder_pool(pool_stride_, order); }, numbers_);
+    places_ = std::move(places);
+    disordered_ = 0;
+}
+
+void Motion::chain(std::size_t row, std::size_t side, std::size_t first, std::size_t end) {
+    PoolPlace next;
+    for (std::size_t place = end; place > first; --place) {
+        next_pooled_[place - 1] = next;
+        next = PoolPlace{static_cast<std::int32_t>(place) - 1};
+    }
+    first_pooled_[row][side] = next;
 }
 
 void Motion::set(Slot s, std::size_t quantity, Vec3 value) {
-    CRACKSIM_EXPECT(quantity + 3 <= components_);
+    CRACKSIM_EXPECT(quantity != Quantity::extrapolated || extrapolates_);
     const auto assign = [&]<class Real>(MotionNumbers<Real>& numbers) {
-        const Place<Real> p = place(numbers, s);
-        *p.at(quantity) = static_cast<Real>(value.x);
-        *p.at(quantity + 1) = static_cast<Real>(value.y);
-        *p.at(quantity + 2) = static_cast<Real>(value.z);
+        const Place<Real> p = place(numbers, s, quantity);
+        p.first[0] = static_cast<Real>(value.x);
+        p.first[p.stride] = static_cast<Real>(value.y);
+        p.first[2 * p.stride] = static_cast<Real>(value.z);
     };
     std::visit(assign, numbers_);
 }
 
 void Motion::set_mobility(Slot s, double value) {
     const auto assign = [&]<class Real>(MotionNumbers<Real>& numbers) {
-        *place(numbers, s).at(Quantity::mobility) = static_cast<Real>(value);
+        *place(numbers, s, Quantity::mobility).first = static_cast<Real>(value);
     };
     std::visit(assign, numbers_);
 }
 
 void Motion::copy(Slot from, Slot to) {
     const auto assign = [&](auto& numbers) {
-        const auto source = place(numbers, from);
-        const auto target = place(numbers, to);
-        for (std::size_t component = 0; component < components_; ++component) {
-            *target.at(component) = *source.at(component);
-        }
+        for_each_quantity(extrapolates_, [&](std::size_t quantity, std::size_t components) {
+            const auto source = place(numbers, from, quantity);
+            const auto target = place(numbers, to, quantity);
+            for (std::size_t i = 0; i < components; ++i) {
+                target.first[i * target.stride] = source.first[i * source.stride];
+            }
+        });
     };
     std::visit(assign, numbers_);
 }
 
 void Motion::clear(Slot s) {
     const auto assign = [&](auto& numbers) {
-        const auto p = place(numbers, s);
-        for (std::size_t component = 0; component < components_; ++component) {
-            *p.at(component) = 0;
-        }
+        for_each_quantity(extrapolates_, [&](std::size_t quantity, std::size_t components) {
+            const auto p = place(numbers, s, quantity);
+            for (std::size_t i = 0; i < components; ++i) {
+                p.first[i * p.stride] = 0;
+            }
+        });
     };
     std::visit(assign, numbers_);
 }
@@ -126,9 +184,8 @@ void Motion::clear(Slot s) {
 void Motion::clear_forces() {
     const auto assign = [&]<class Real>(MotionNumbers<Real>& numbers) {
         std::fill_n(numbers.base() + Quantity::force * base_stride_, 3 * base_stride_, Real{0});
-        for (std::size_t i = 0; i < block_count_; ++i) {
-            std::fill_n(numbers.blocks() + i * block_size() + Quantity::force * block_stride, 3 * block_stride,
-                        Real{0});
+        for (std::size_t at = 0; at < numbers.pool_size(); at += pool_stride_) {
+            std::fill_n(numbers.pool() + at + Pooled::at(Quantity::force), 3, Real{0});
         }
     };
     std::visit(assign, numbers_);
@@ -136,8 +193,9 @@ void Motion::clear_forces() {
 
 std::size_t Motion::memory_bytes() const {
     return std::visit([](const auto& numbers) { return numbers.memory_bytes(); }, numbers_) +
-           (block_of_.capacity() + row_of_group_.capacity()) * sizeof(std::int32_t) + planes_in_use_.capacity() +
-           planes_in_row_.capacity();
+           (row_of_group_.capacity() + pooled_at_.capacity()) * sizeof(std::int32_t) +
+           places_.capacity() * sizeof(Places) + next_pooled_.capacity() * sizeof(PoolPlace) +
+           first_pooled_.capacity() * sizeof(first_pooled_.front());
 }
 
 }  // namespace cracksim::physics

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -52,34 +54,49 @@ struct LineAllocator {
     friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
 };
 
-/// The numbers of a motion: the base plane, component after component, and the blocks one after the other.
+/// Place of a union's numbers in the pool.
+using PoolPlace = Id<struct PoolPlaceTag, std::int32_t>;
+
+/// What the pool holds of a union, one after the other: u and dt^2/M, then w, the force, and with ab2 what damping takes for w, each
+/// with a zero.
+struct Pooled {
+    static constexpr std::size_t together = 4;
+    static constexpr std::size_t mobility = 3;
+
+    /// Of a quantity's first component; the others follow.
+    [[nodiscard]] static constexpr std::size_t at(std::size_t quantity) {
+        return quantity == Quantity::mobility ? mobility : (quantity + 1) / 3 * together;
+    }
+};
+static_assert(Pooled::at(Quantity::displacement) == 0 && Pooled::at(Quantity::increment) == 4 &&
+              Pooled::at(Quantity::force) == 8 && Pooled::at(Quantity::extrapolated) == 12);
+
+/// The numbers of a motion: the base plane, component after component, and the pool, union after union.
 template <class Real>
 class MotionNumbers {
 public:
-    MotionNumbers(std::size_t base_size, std::size_t blocks_size)
-        : base_(base_size, Real{0}), blocks_(blocks_size, Real{0}) {}
+    explicit MotionNumbers(std::size_t base_size) : base_(base_size, Real{0}) {}
 
     [[nodiscard]] Real* base() { return base_.data(); }
     [[nodiscard]] const Real* base() const { return base_.data(); }
-    [[nodiscard]] Real* blocks() { return blocks_.data(); }
-    [[nodiscard]] const Real* blocks() const { return blocks_.data(); }
-    [[nodiscard]] std::size_t blocks_size() const { return blocks_.size(); }
-    /// All of another size, zero but for blocks that were there: block i of the new ones is the old block order[i].
-    void reorder_blocks(std::size_t size, std::size_t block_size, const std::vector<std::int32_t>& order);
-    [[nodiscard]] std::size_t memory_bytes() const { return (base_.capacity() + blocks_.capacity()) * sizeof(Real); }
+    [[nodiscard]] Real* pool() { return pool_.data(); }
+    [[nodiscard]] const Real* pool() const { return pool_.data(); }
+    [[nodiscard]] std::size_t pool_size() const { return pool_.size(); }
+    /// Zeros for one more union.
+    void extend_pool(std::size_t numbers_of_union);
+    /// What was at the place order[i] is at the place i.
+    void reorder_pool(std::size_t numbers_of_union, std::span<const PoolPlace> order);
+    [[nodiscard]] std::size_t memory_bytes() const { return (base_.capacity() + pool_.capacity()) * sizeof(Real); }
 
 private:
     std::vector<Real, LineAllocator<Real>> base_;
-    std::vector<Real, LineAllocator<Real>> blocks_;
+    std::vector<Real, LineAllocator<Real>> pool_;
 };
 
-/// The motion of all unions of this rank. The base plane has a place for each vertex, component after component. Of the other planes
-/// there are blocks for the groups of vertices in which unions fell apart: of a group's lanes, component after component.
+/// The motion of all unions of this rank. The base plane has a place for each vertex, component after component. Unions of the other
+/// planes, which came of unions that fell apart, have theirs in the pool: in the order in which the sweep meets them, but for the last ones.
 class Motion {
 public:
-    /// From one component to the next in a block.
-    static constexpr std::size_t block_stride = Lattice::lanes;
-
     Motion(const Lattice& lattice, bool extrapolates, Precision precision);
 
     [[nodiscard]] Precision precision() const {
@@ -96,18 +113,18 @@ public:
     }
     [[nodiscard]] Vec3 rounded(Vec3 value) const { return {rounded(value.x), rounded(value.y), rounded(value.z)}; }
 
-    /// Makes sure that a slot has memory; what is new is zero. Moves the blocks.
+    /// Makes sure that a slot has memory; what is new is zero. Moves the pool.
     void open(Slot s);
     [[nodiscard]] Vec3 get(Slot s, std::size_t quantity) const {
         const auto values = [&](const auto& numbers) {
-            const auto p = place(numbers, s);
-            return Vec3{*p.at(quantity), *p.at(quantity + 1), *p.at(quantity + 2)};
+            const auto p = place(numbers, s, quantity);
+            return Vec3{*p.first, p.first[p.stride], p.first[2 * p.stride]};
         };
         return std::visit(values, numbers_);
     }
     void set(Slot s, std::size_t quantity, Vec3 value);
     [[nodiscard]] double mobility(Slot s) const {
-        return std::visit([&](const auto& numbers) -> double { return *place(numbers, s).at(Quantity::mobility); },
+        return std::visit([&](const auto& numbers) -> double { return *place(numbers, s, Quantity::mobility).first; },
                           numbers_);
     }
     void set_mobility(Slot s, double value);
@@ -118,65 +135,65 @@ public:
     /// The forces of all slots to zero.
     void clear_forces();
 
-    /// The numbers; of the motion's own precision. A vector that begins in a block may be read and written whole: what it reaches
-    /// into is memory, too.
+    /// The numbers; of the motion's own precision.
     template <class Real>
     [[nodiscard]] MotionNumbers<Real>& in() {
         return std::get<MotionNumbers<Real>>(numbers_);
     }
     [[nodiscard]] std::size_t base_stride() const { return base_stride_; }
-    [[nodiscard]] std::size_t block_size() const { return components_ * block_stride; }
-    /// [group of vertices][plane]: which block that is, -1 if there is none.
-    [[nodiscard]] const std::int32_t* block_of() const { return block_of_.data(); }
-    /// [group of vertices]: bit p is set where plane p has a block.
-    [[nodiscard]] const std::vector<std::uint8_t>& planes_in_use() const { return planes_in_use_; }
-    /// By vertex row: bit p is set where plane p has a block.
-    [[nodiscard]] unsigned planes_in_row(std::size_t row) const { return planes_in_row_[row]; }
-    /// The first number of a block of a group of vertices.
-    template <class Real>
-    [[nodiscard]] Real* block(std::size_t group, int plane) {
-        return in<Real>().blocks() + static_cast<std::size_t>(block_of_[entry(group, plane)]) * block_size();
+    /// From one union to the next in the pool.
+    [[nodiscard]] std::size_t pool_stride() const { return pool_stride_; }
+    /// None for what is in the base plane or has no memory.
+    [[nodiscard]] PoolPlace pool_place(Slot s) const {
+        const std::int32_t index = pooled_at_[vertex_of(s).index()];
+        return index < 0 ? PoolPlace{}
+                         : places_[static_cast<std::size_t>(index)][static_cast<std::size_t>(plane_of(s))];
     }
+    /// Of the unions in the pool that are at a row of vertices, in planes of corners on a side, the first; none: the default id.
+    [[nodiscard]] PoolPlace first_pooled(std::size_t row, std::size_t side) const { return first_pooled_[row][side]; }
+    /// [place in the pool]: the next one of the same row and side, or none.
+    [[nodiscard]] const PoolPlace* next_pooled() const { return next_pooled_.data(); }
+    /// So many unions came to the pool since it was in order that the sweep would miss the caches.
+    [[nodiscard]] bool is_disordered() const { return disordered_ > 64 + next_pooled_.size() / 8; }
+    /// Puts the pool in order. Changes all places there.
+    void order_pool(const Lattice& lattice);
 
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
-    static constexpr std::size_t guard = Lattice::lanes;
-
+    /// A quantity's first component, and how far it is to the next.
     template <class T>
     struct Place {
         T* first;
         std::size_t stride;
-
-        [[nodiscard]] T* at(std::size_t component) const { return first + component * stride; }
     };
-
-    [[nodiscard]] static std::size_t entry(std::size_t group, int plane) {
-        return group * planes + static_cast<std::size_t>(plane);
-    }
     template <class Numbers>
     using PlaceIn = Place<std::remove_pointer_t<decltype(std::declval<Numbers&>().base())>>;
+    using Places = std::array<PoolPlace, planes>;
 
     template <class Numbers>
-    [[nodiscard]] PlaceIn<Numbers> place(Numbers& numbers, Slot s) const {
-        const std::size_t v = vertex_of(s).index();
+    [[nodiscard]] PlaceIn<Numbers> place(Numbers& numbers, Slot s, std::size_t quantity) const {
         if (plane_of(s) == base_plane) {
-            return {numbers.base() + v, base_stride_};
+            return {numbers.base() + quantity * base_stride_ + vertex_of(s).index(), base_stride_};
         }
-        const std::int32_t index = block_of_[entry(v / Lattice::lanes, plane_of(s))];
-        CRACKSIM_EXPECT(index >= 0);
-        return {numbers.blocks() + static_cast<std::size_t>(index) * block_size() + v % Lattice::lanes, block_stride};
+        const PoolPlace pooled = pool_place(s);
+        CRACKSIM_EXPECT(pooled != PoolPlace{});
+        return {numbers.pool() + pooled.index() * pool_stride_ + Pooled::at(quantity), 1};
     }
-    void make_room();
 
-    std::size_t components_;
+    /// The unions at the places from first on, up to end, are those of a row of vertices and a side.
+    void chain(std::size_t row, std::size_t side, std::size_t first, std::size_t end);
+
+    bool extrapolates_;
     std::size_t base_stride_;
+    std::size_t pool_stride_;
     std::variant<MotionNumbers<double>, MotionNumbers<float>> numbers_;
-    std::size_t block_count_{0};
-    std::vector<std::int32_t> block_of_;
-    std::vector<std::uint8_t> planes_in_use_;
-    std::vector<std::int32_t> row_of_group_;
-    std::vector<std::uint8_t> planes_in_row_;
+    std::vector<std::int32_t> row_of_group_;  ///< by group of as many vertices as there are lanes
+    std::vector<std::int32_t> pooled_at_;     ///< by vertex: index into places_, -1 if the pool has none of its unions
+    std::vector<Places> places_;              ///< by plane
+    std::vector<std::array<PoolPlace, Lattice::sides>> first_pooled_;  ///< by row of vertices and side
+    std::vector<PoolPlace> next_pooled_;
+    std::size_t disordered_{0};
 };
 
 }  // namespace cracksim::physics

@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 #include "physics/interaction-inl.hpp"
 #include "physics/motion.hpp"
@@ -37,26 +36,11 @@ HWY_INLINE unsigned CarriedBy(const SweepView<Real>& v, std::size_t site) {
     }
 }
 
-/// Bit p: some entity of the vector has its corner in plane p.
-template <class Real>
-HWY_INLINE unsigned PlanesOf(const SweepView<Real>& v, std::size_t site, std::size_t corner) {
-    const std::uint8_t* half = v.planes + site / Lattice::half * Hexahedron::corners + corner;
-    return is_whole_batch<Real> ? unsigned{half[0]} | half[Hexahedron::corners] : half[0];
-}
-
 /// All corners are in the base plane.
 template <class Real>
 HWY_INLINE bool IsBase(const SweepView<Real>& v, std::size_t site) {
-    const std::uint8_t* half = v.planes + site / Lattice::half * Hexahedron::corners;
-    std::uint64_t in_use;
-    std::memcpy(&in_use, half, sizeof(in_use));
-    if constexpr (is_whole_batch<Real>) {
-        std::uint64_t second;
-        std::memcpy(&second, half + Hexahedron::corners, sizeof(second));
-        in_use |= second;
-    }
-    constexpr std::uint64_t all_base = 0x0101010101010101U << base_plane;
-    return in_use == all_base;
+    const std::int32_t* half = v.pooled_of_half + site / Lattice::half;
+    return half[0] < 0 && (!is_whole_batch<Real> || half[1] < 0);
 }
 
 /// The upper corners' forces one lane on, so that they stand at the same vertices as the lower ones; the last one goes to the

@@ -220,7 +220,12 @@ void set_sensing_limits(const Network& network, LocalEntity e, State& state) {
 void update_edges(const Network& network, std::vector<VertexSite> vertices, State& state) {
     sort_and_make_unique(vertices);
     std::vector<LocalEntity> entities;
+    if (state.motion.is_disordered()) {
+        state.motion.order_pool(state.lattice());
+        state.pooled.find(state.unions, state.motion);
+    }
     for (const VertexSite v : vertices) {
+        state.pooled.update(state.unions, state.motion, v);
         state.merging.update(state.unions, v);
         state.lattice().for_each_mass_at(v, [&](LocalMass m) { entities.push_back(entity_of(m)); });
     }

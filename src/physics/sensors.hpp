@@ -64,7 +64,8 @@ private:
 /// Recomputes the prefilter's limits of an entity from the active duplets at the edges that it carries.
 void set_sensing_limits(const Network& network, LocalEntity e, State& state);
 
-/// Brings the edges at some vertices, who carries them and the prefilter's limits, up to date with their unions and active duplets.
+/// Brings the edges at some vertices, where their ends are, who carries them and the prefilter's limits, up to date with their unions and
+/// active duplets.
 /// A vertex may be named more than once.
 void update_edges(const Network& network, std::vector<VertexSite> vertices, State& state);
 

@@ -37,6 +37,7 @@ State::State(const Network& network, Scheme chosen, double dt, Precision precisi
       step_size{dt},
       unions{network},
       motion{unions.lattice(), chosen == Scheme::ab2, precision},
+      pooled{unions.lattice()},
       merging{network, unions},
       sensing{all_active(network, unions.lattice())},
       held_in_row(lattice().vertex_rows().size()),
@@ -48,6 +49,7 @@ State::State(const Network& network, Scheme chosen, double dt, Precision precisi
     for (const LocalMass m : network.received()) {
         motion.open(unions.slot(m));
     }
+    pooled.find(unions, motion);
     for (std::size_t i = 0; i < network.received().size(); ++i) {
         const VertexSite v = lattice().vertex(network.received()[i]);
         received_in_row[static_cast<std::size_t>(lattice().vertex_row(v))].push_back(i);
@@ -73,8 +75,8 @@ void State::hold(const Held& union_held) {
 }
 
 std::size_t State::memory_bytes() const {
-    return unions.memory_bytes() + motion.memory_bytes() + merging.memory_bytes() + held.capacity() * sizeof(Held) +
-           sensing.active.capacity() + sensing.limit.capacity() * sizeof(float) +
+    return unions.memory_bytes() + motion.memory_bytes() + pooled.memory_bytes() + merging.memory_bytes() +
+           held.capacity() * sizeof(Held) + sensing.active.capacity() + sensing.limit.capacity() * sizeof(float) +
            (sensing.watched.capacity() + sensing.exceeded.capacity()) * sizeof(EdgeBits) +
            (held_in_row.size() + received_in_row.size()) * sizeof(std::vector<std::size_t>);
 }

@@ -11,6 +11,7 @@
 #include "physics/merging.hpp"
 #include "physics/motion.hpp"
 #include "physics/network.hpp"
+#include "physics/pooled_corners.hpp"
 #include "physics/stability.hpp"
 #include "physics/union_table.hpp"
 
@@ -61,6 +62,7 @@ struct State {
     std::int64_t step{0};
     UnionTable unions;
     Motion motion;
+    PooledHalves pooled;
     Merging merging;
     Sensing sensing;
     std::vector<Held> held;

@@ -10,19 +10,12 @@ namespace cracksim::physics {
 UnionTable::UnionTable(const Network& network)
     : lattice_{network.shared_lattice()},
       label_(static_cast<std::size_t>(network.mass_count())),
-      in_use_(lattice_->vertex_sites(), 0),
-      half_planes_(lattice_->halves() * Hexahedron::corners),
-      lane_planes_(lattice_->batches() * Hexahedron::corners * lanes) {
+      in_use_(lattice_->vertex_sites(), 0) {
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
         const bool alone = network.block().is_corner(network.entity(entity_of(m)), corner_of(m));
         label_[m.index()] = static_cast<std::uint8_t>(alone ? corner_of(m) : base_plane);
     }
     network.for_each_union([&](std::span<const LocalMass> masses) { find_planes(lattice_->vertex(masses.front())); });
-    for (std::size_t half = 0; half < lattice_->halves(); ++half) {
-        for (int corner = 0; corner < Hexahedron::corners; ++corner) {
-            update_half(half, corner);
-        }
-    }
 }
 
 LocalMass UnionTable::smallest_mass(Slot s) const {
@@ -70,7 +63,6 @@ Slot UnionTable::assign(std::span<const LocalMass> part) {
     const int plane = !alone && part.front() == lattice_->smallest_at(v) ? base_plane : corner_of(part.front());
     for (const LocalMass m : part) {
         label_[m.index()] = static_cast<std::uint8_t>(plane);
-        update_half(lattice_->site(entity_of(m)).index() / Lattice::half, corner_of(m));
     }
     find_planes(v);
     return slot_of(v, plane);
@@ -79,24 +71,8 @@ Slot UnionTable::assign(std::span<const LocalMass> part) {
 void UnionTable::set_received_label(LocalMass m, int label) {
     CRACKSIM_EXPECT(!is_touched(lattice_->vertex(m)) && label >= 0 && label < planes);
     label_[m.index()] = static_cast<std::uint8_t>(label);
-    update_half(lattice_->site(entity_of(m)).index() / Lattice::half, corner_of(m));
 }
 
-void UnionTable::update_half(std::size_t half, int corner) {
-    const auto c = static_cast<std::size_t>(corner);
-    const std::size_t first = half * Lattice::half;
-    std::uint8_t* plane = lane_planes_.data() + (first / lanes * Hexahedron::corners + c) * lanes + first % lanes;
-    unsigned in_use = 0;
-    for (std::size_t lane = 0; lane < Lattice::half; ++lane) {
-        const LocalEntity e = lattice_->entity(Site{static_cast<std::int32_t>(first + lane)});
-        plane[lane] = static_cast<std::uint8_t>(e == LocalEntity{} ? base_plane : label(local_mass(e, corner)));
-        in_use |= 1U << plane[lane];
-    }
-    half_planes_[half * Hexahedron::corners + c] = static_cast<std::uint8_t>(in_use);
-}
-
-std::size_t UnionTable::memory_bytes() const {
-    return label_.capacity() + in_use_.capacity() + half_planes_.capacity() + lane_planes_.capacity();
-}
+std::size_t UnionTable::memory_bytes() const { return label_.capacity() + in_use_.capacity(); }
 
 }  // namespace cracksim::physics

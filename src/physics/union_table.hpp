@@ -17,8 +17,6 @@ namespace cracksim::physics {
 /// their smallest mass. A union's motion is in the plane of its label. The label of a received mass is what its owner says.
 class UnionTable {
 public:
-    static constexpr int lanes = Lattice::lanes;
-
     explicit UnionTable(const Network& network);
 
     [[nodiscard]] const Lattice& lattice() const { return *lattice_; }
@@ -43,12 +41,6 @@ public:
     /// Slots of all unions that this rank advances, by vertex.
     [[nodiscard]] std::vector<Slot> advanced() const;
 
-    /// [half of a batch][corner]: bit p is set where plane p holds the motion of that corner of some entity there, or the lane is
-    /// void and p the base plane.
-    [[nodiscard]] const std::uint8_t* half_planes() const { return half_planes_.data(); }
-    /// [batch][corner][lane]: the planes of the corners' motions one by one; the base plane for void lanes.
-    [[nodiscard]] const std::uint8_t* lane_planes() const { return lane_planes_.data(); }
-
     /// Makes some masses of a touched vertex (ascending) a union of their own; returns its slot.
     Slot assign(std::span<const LocalMass> part);
     /// Takes over the label of a received mass. Its motion is not moved.
@@ -58,13 +50,10 @@ public:
 
 private:
     void find_planes(VertexSite v);
-    void update_half(std::size_t half, int corner);
 
     std::shared_ptr<const Lattice> lattice_;
     std::vector<std::uint8_t> label_;   ///< by local mass
     std::vector<std::uint8_t> in_use_;  ///< by vertex site: bit p is set where plane p holds an advanced union
-    std::vector<std::uint8_t> half_planes_;
-    std::vector<std::uint8_t> lane_planes_;
 };
 
 }  // namespace cracksim::physics

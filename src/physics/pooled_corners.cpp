@@ -1,0 +1,81 @@
+#include "physics/pooled_corners.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace cracksim::physics {
+
+namespace {
+
+constexpr std::array<int, Hexahedron::corners> by_side = [] {
+    std::array<int, Hexahedron::corners> found{};
+    std::size_t count = 0;
+    for (std::size_t side = 0; side < Lattice::sides; ++side) {
+        for (const int along : {1, 0}) {
+            for (int corner = 0; corner < Hexahedron::corners; ++corner) {
+                if (Lattice::side(corner) == side && Lattice::along(corner) == along) {
+                    found[count++] = corner;
+                }
+            }
+        }
+    }
+    return found;
+}();
+
+PooledCorners find_in(const UnionTable& unions, const Motion& motion, std::size_t half) {
+    PooledCorners found{};
+    found.in_base.fill(PooledCorners::all_lanes);
+    for (const int corner : by_side) {
+        for (std::size_t lane = 0; lane < Lattice::half; ++lane) {
+            const LocalEntity e = unions.lattice().entity(Site{static_cast<std::int32_t>(half * Lattice::half + lane)});
+            const PoolPlace place =
+                e == LocalEntity{} ? PoolPlace{} : motion.pool_place(unions.slot(local_mass(e, corner)));
+            if (place == PoolPlace{}) {
+                continue;
+            }
+            found.place[found.count] = place;
+            found.corner[found.count] = static_cast<std::uint8_t>(corner);
+            found.lane[found.count] = static_cast<std::uint8_t>(lane);
+            ++found.count;
+            std::uint8_t& in_base = found.in_base[static_cast<std::size_t>(corner)];
+            in_base = static_cast<std::uint8_t>(in_base & ~(1U << lane));
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+void PooledHalves::find(const UnionTable& unions, const Motion& motion) {
+    halves_.clear();
+    std::ranges::fill(index_, -1);
+    for (std::size_t half = 0; half < index_.size(); ++half) {
+        update_half(unions, motion, half);
+    }
+}
+
+void PooledHalves::update(const UnionTable& unions, const Motion& motion, VertexSite v) {
+    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+    std::size_t before = none;
+    unions.lattice().for_each_mass_at(v, [&](LocalMass m) {
+        const std::size_t half = unions.lattice().site(entity_of(m)).index() / Lattice::half;
+        if (half != before) {
+            update_half(unions, motion, half);
+        }
+        before = half;
+    });
+}
+
+void PooledHalves::update_half(const UnionTable& unions, const Motion& motion, std::size_t half) {
+    const PooledCorners found = find_in(unions, motion, half);
+    std::int32_t& index = index_[half];
+    if (index < 0 && found.count > 0) {
+        index = static_cast<std::int32_t>(halves_.size());
+        halves_.emplace_back();
+    }
+    if (index >= 0) {
+        halves_[static_cast<std::size_t>(index)] = found;
+    }
+}
+
+}  // namespace cracksim::physics
