@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/contracts.hpp"
+#include "core/sorted.hpp"
 #include "physics/advance.hpp"
 #include "physics/advance_view.hpp"
 #include "physics/sensors.hpp"
@@ -431,7 +432,9 @@ void set_received_labels(const Network& network, State& state, std::span<const N
             state.motion.clear(s);
         }
     }
-    update_edges(network, std::move(changed), state);
+    sort_and_make_unique(changed);
+    state.update_unions(changed);
+    update_sensing(network, changed, state);
 }
 
 }  // namespace cracksim::physics

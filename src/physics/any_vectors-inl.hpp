@@ -116,7 +116,7 @@ template <bool kMeasure, class From, class Real>
 CRACKSIM_INLINE void AddInteractions(const SweepView<Real>& v, std::size_t site, unsigned carried, const From& from,
                                      Forces<Real>& forces, Outcome<Real>& outcome) {
     const std::uint8_t* weights = WeightsOf(v, site);
-    const float* limits = LimitsOf(v, site);
+    const UpperHalf* limits = LimitsOf(v, site);
     AddCarried<false, kMeasure>(v, carried, from, weights, limits, forces, outcome);
     if (IsFar(outcome)) {
         AddFar<kMeasure>(v, carried, from, weights, limits, forces, outcome);

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "physics/entity_model.hpp"
 #include "physics/lattice.hpp"
@@ -24,6 +26,20 @@ struct Series {
     static constexpr double reach = 0.425;
     /// Below this |d|^2/L0^2 the direction is not defined.
     static constexpr double tiny_squared = 1e-24;
+};
+
+/// The upper half of a number in single precision.
+struct UpperHalf {
+    std::uint16_t bits;
+
+    /// The greatest that is not above a number.
+    [[nodiscard]] static UpperHalf not_above(float value) {
+        const auto bits = std::bit_cast<std::uint32_t>(value);
+        const std::uint32_t away_from_zero = value < 0 && (bits & 0xffffU) != 0 ? 1 : 0;
+        return {static_cast<std::uint16_t>((bits >> 16U) + away_from_zero)};
+    }
+    [[nodiscard]] static UpperHalf infinity() { return not_above(std::numeric_limits<float>::infinity()); }
+    [[nodiscard]] float value() const { return std::bit_cast<float>(std::uint32_t{bits} << 16U); }
 };
 
 /// Some edges of the entities of a batch: for each edge a bit a lane.
@@ -78,7 +94,7 @@ struct SweepView {
     const PooledCorners* pooled;
     const std::uint8_t* weights;   ///< [batch][row][lane]
     const std::uint32_t* carried;  ///< [half of a batch]
-    const float* limits;           ///< [batch][axis][lane]
+    const UpperHalf* limits;       ///< [batch][edge][lane]
     EdgeBits* exceeded;            ///< [batch]: edges stretched beyond their limit
     double dissipated;             ///< out: sum of (z/dt) (dw.n)^2, J
     double elastic;                ///< out: sum of k e^2 / 2, J

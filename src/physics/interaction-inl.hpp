@@ -145,7 +145,7 @@ HWY_INLINE V<Real> SquaredStretch(V<Real> x, const Ratio<Real>& ratio) {
 /// Completes the extension of interaction I, and finds what decides about sensing and about the range of the series. kPlain: no entity
 /// is void, so all ends are its corners.
 template <std::size_t I, bool kPlain, bool kFar, class Real>
-CRACKSIM_INLINE void Complete(const InteractionConstants<Real>& c, const float* limits, Interactions<Real>& all,
+CRACKSIM_INLINE void Complete(const InteractionConstants<Real>& c, const UpperHalf* limits, Interactions<Real>& all,
                               Outcome<Real>& sums) {
     V<Real>& extension = all.extension[I];
     extension = hn::Mul(Same<Real>(c.inverse_squared_length), extension);
@@ -159,8 +159,7 @@ CRACKSIM_INLINE void Complete(const InteractionConstants<Real>& c, const float* 
         sums.farthest = hn::Max(sums.farthest, hn::Abs(hn::Sub(extension, Same<Real>(Series::centre))));
     }
     if constexpr (I < HexahedronPairs::edges) {
-        constexpr std::size_t axis = I / HexahedronPairs::edges_per_axis;
-        sums.exceeded[I] = Bits<Real>(hn::Gt(extension, FromSingle<Real>(limits + axis * Lattice::lanes)));
+        sums.exceeded[I] = Bits<Real>(hn::Gt(extension, FromUpperHalves<Real>(&limits[I * Lattice::lanes].bits)));
     }
 }
 
@@ -222,14 +221,14 @@ HWY_INLINE V<Real> Weight(const std::uint8_t* weights, std::size_t interaction) 
     return FromBytes<Real>(weights + interaction * Lattice::lanes);
 }
 
-/// [row][lane] and [axis][lane] from the lane of a site on.
+/// [row][lane] and [edge][lane] from the lane of a site on.
 template <class Real>
 HWY_INLINE const std::uint8_t* WeightsOf(const SweepView<Real>& v, std::size_t site) {
     return v.weights + site / Lattice::lanes * Merging::bytes_per_batch + site % Lattice::lanes;
 }
 template <class Real>
-HWY_INLINE const float* LimitsOf(const SweepView<Real>& v, std::size_t site) {
-    return v.limits + site / Lattice::lanes * (3 * Lattice::lanes) + site % Lattice::lanes;
+HWY_INLINE const UpperHalf* LimitsOf(const SweepView<Real>& v, std::size_t site) {
+    return v.limits + site / Lattice::lanes * (HexahedronPairs::edges * Lattice::lanes) + site % Lattice::lanes;
 }
 
 template <class Real>
@@ -318,7 +317,7 @@ CRACKSIM_INLINE void AddComponents(const SweepView<Real>& v, const From& from, I
 
 /// Some interactions of entities whose corners' motions are found in `from`; all.weight is known.
 template <bool kPlain, bool kFar, bool kMeasure, class From, class Real, std::size_t... I>
-CRACKSIM_INLINE void FindStretches(const SweepView<Real>& v, const From& from, const float* limits,
+CRACKSIM_INLINE void FindStretches(const SweepView<Real>& v, const From& from, const UpperHalf* limits,
                                    Interactions<Real>& all, Outcome<Real>& outcome, std::index_sequence<I...> list) {
     AddComponents<0>(v, from, all, list);
     AddComponents<1>(v, from, all, list);
@@ -350,7 +349,7 @@ using Kind = std::index_sequence<size_of_kind * kKind, size_of_kind * kKind + 1,
 /// Four interactions: the edges along an axis, or the diagonals. If none of them is carried, they are left out.
 template <std::size_t kKind, bool kFar, bool kMeasure, class From, class Real, std::size_t... I>
 CRACKSIM_INLINE void FindKind(const SweepView<Real>& v, unsigned carried, const From& from, const std::uint8_t* weights,
-                              const float* limits, Interactions<Real>& all, Outcome<Real>& outcome,
+                              const UpperHalf* limits, Interactions<Real>& all, Outcome<Real>& outcome,
                               std::index_sequence<I...> list) {
     if ((carried & ((1U << I) | ...)) != 0) {
         ((all.weight[I] = Weight<Real>(weights, I)), ...);
@@ -364,7 +363,7 @@ CRACKSIM_INLINE void FindKind(const SweepView<Real>& v, unsigned carried, const 
 /// All 16 interactions, weighted by how many entities' they are.
 template <bool kFar, bool kMeasure, class From, class Real>
 CRACKSIM_INLINE void AddCarried(const SweepView<Real>& v, unsigned carried, const From& from,
-                                const std::uint8_t* weights, const float* limits, Forces<Real>& forces,
+                                const std::uint8_t* weights, const UpperHalf* limits, Forces<Real>& forces,
                                 Outcome<Real>& outcome) {
     outcome = Nothing<Real>();
     Interactions<Real> all;
@@ -381,7 +380,7 @@ CRACKSIM_INLINE void AddCarried(const SweepView<Real>& v, unsigned carried, cons
 /// In case of large stretches, the same with what holds everywhere.
 template <bool kMeasure, class From, class Real>
 HWY_NOINLINE void AddFar(const SweepView<Real>& v, unsigned carried, const From& from, const std::uint8_t* weights,
-                         const float* limits, Forces<Real>& forces, Outcome<Real>& outcome) {
+                         const UpperHalf* limits, Forces<Real>& forces, Outcome<Real>& outcome) {
     AddCarried<true, kMeasure>(v, carried, from, weights, limits, forces, outcome);
 }
 

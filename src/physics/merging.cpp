@@ -26,9 +26,7 @@ EdgeCopies edge_copies(const UnionTable& unions, VertexSite lower, int axis) {
 }
 
 Merging::Merging(const Network& network, const UnionTable& unions)
-    : weight_(unions.lattice().batches() * bytes_per_batch, 0),
-      carried_(unions.lattice().halves(), 0),
-      revision_(unions.lattice().vertex_sites(), 0) {
+    : weight_(unions.lattice().batches() * bytes_per_batch, 0), carried_(unions.lattice().halves(), 0) {
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
         weight_[place(unions, e, owned_row)] = network.owned(e) ? 1 : 0;
         for (int i = HexahedronPairs::edges; i < HexahedronPairs::count; ++i) {
@@ -89,18 +87,7 @@ void Merging::update_edge(const UnionTable& unions, VertexSite lower, int axis) 
 }
 
 void Merging::update(const UnionTable& unions, VertexSite v) {
-    for (int axis = 0; axis < 3; ++axis) {
-        update_edge(unions, v, axis);
-        for (const int corner : Lattice::ascending) {
-            const LocalMass m = is_lower(corner, axis) ? LocalMass{} : unions.lattice().mass_at(v, corner);
-            if (m != LocalMass{}) {
-                update_edge(unions, unions.lattice().vertex(local_mass(entity_of(m), Hexahedron::across(corner, axis))),
-                            axis);
-                break;
-            }
-        }
-    }
-    ++revision_[v.index()];
+    for_each_edge_at(unions.lattice(), v, [&](VertexSite lower, int axis) { update_edge(unions, lower, axis); });
 }
 
 }  // namespace cracksim::physics

@@ -31,13 +31,26 @@ struct EdgeCopies {
 /// The copies of the edge that goes up along an axis from a vertex.
 [[nodiscard]] EdgeCopies edge_copies(const UnionTable& unions, VertexSite lower, int axis);
 
+/// Calls action(lower, axis) for the edges at a vertex, from their lower ends.
+void for_each_edge_at(const Lattice& lattice, VertexSite v, auto&& action) {
+    for (int axis = 0; axis < 3; ++axis) {
+        action(v, axis);
+        for (const int corner : Lattice::ascending) {
+            const bool is_upper =
+                Hexahedron::offset[static_cast<std::size_t>(corner)][static_cast<std::size_t>(axis)] != 0;
+            const LocalMass m = is_upper ? lattice.mass_at(v, corner) : LocalMass{};
+            if (m != LocalMass{}) {
+                action(lattice.vertex(local_mass(entity_of(m), Hexahedron::across(corner, axis))), axis);
+                break;
+            }
+        }
+    }
+}
+
 /// Entities that share an edge and the unions at both its ends have the same visco-elastic interaction along it. The smallest of them
 /// carries it, for all: its force is computed once and counted as often. Who carries what follows from the split state alone.
 class Merging {
 public:
-    /// Counts the updates at a vertex: at most twelve, as each takes one of its duplets.
-    using Revision = std::uint8_t;
-
     /// The rows of a batch's weights: its interactions, then 1 for the entities that this rank owns.
     static constexpr std::size_t rows = HexahedronPairs::count + 1;
     static constexpr std::size_t owned_row = HexahedronPairs::count;
@@ -51,8 +64,6 @@ public:
     }
     /// Brings the edges at a vertex up to date with the labels of its masses.
     void update(const UnionTable& unions, VertexSite v);
-    /// Rises with each update: what was looked up before at the edges of the vertex may be wrong.
-    [[nodiscard]] Revision revision(VertexSite v) const { return revision_[v.index()]; }
 
     /// [batch][row][lane]
     [[nodiscard]] const std::uint8_t* weights() const { return weight_.data(); }
@@ -62,8 +73,7 @@ public:
     static constexpr unsigned full = HexahedronPairs::count;
 
     [[nodiscard]] std::size_t memory_bytes() const {
-        return weight_.capacity() + carried_.capacity() * sizeof(std::uint32_t) +
-               revision_.capacity() * sizeof(Revision);
+        return weight_.capacity() + carried_.capacity() * sizeof(std::uint32_t);
     }
 
 private:
@@ -83,7 +93,6 @@ private:
 
     std::vector<std::uint8_t> weight_;
     std::vector<std::uint32_t> carried_;
-    std::vector<Revision> revision_;  ///< by vertex site
 };
 
 }  // namespace cracksim::physics

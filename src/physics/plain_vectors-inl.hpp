@@ -67,7 +67,7 @@ constexpr unsigned mask_of(std::index_sequence<I...>) {
 /// kFull: no lane is void.
 template <bool kFull, bool kMeasure, class Real, std::size_t... I>
 CRACKSIM_INLINE void AddAllPlain(const SweepView<Real>& v, RowRun<Real>& run, std::size_t at,
-                                 const std::uint8_t* weights, const float* limits, Outcome<Real>& outcome,
+                                 const std::uint8_t* weights, const UpperHalf* limits, Outcome<Real>& outcome,
                                  std::index_sequence<I...> list) {
     constexpr unsigned carried = mask_of(list);
     constexpr bool all_weigh = kFull && carried == mask_of(InsideRow{});

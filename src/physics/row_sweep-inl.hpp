@@ -64,7 +64,7 @@ void SweepEntities(const SweepView<Real>& v, GatheredEntities<Real>& entities) {
     const D<Real> d;
     std::uint8_t ones[Merging::bytes_per_batch];
     std::fill(std::begin(ones), std::end(ones), std::uint8_t{1});
-    constexpr float limits[3 * Lattice::lanes] = {};
+    constexpr UpperHalf limits[HexahedronPairs::edges * Lattice::lanes] = {};
     constexpr std::size_t stride = Hexahedron::corners * Lattice::lanes;
     for (std::size_t lane = 0; lane < Lattice::lanes; lane += hn::Lanes(d)) {
         Assembled<Real> assembled;

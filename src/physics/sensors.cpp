@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/sorted.hpp"
+
 namespace cracksim::physics {
 
 namespace {
@@ -21,11 +23,6 @@ struct Reach {
     LocalMass q;
     Vec3 rest;
 };
-
-void sort_and_make_unique(auto& list) {
-    std::ranges::sort(list);
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 
 Reach reach_of(const Network& network, LocalDuplet d) {
     const Interface& face = network.interfaces()[d.index() / Network::duplets_per_interface];
@@ -57,17 +54,11 @@ double extension_limit(double lowest_threshold, Precision precision) {
     return length * length - 1;
 }
 
-/// Calls action(duplet, end, entity) for the active duplets whose sensors reach over an edge that e carries: at the lower end (0), then
-/// at the upper one (1), of each of its merged copies, over the face that is normal to it.
-void for_each_sensor(const Network& network, const State& state, LocalEntity e, int edge, auto&& action) {
-    if (state.merging.weight(state.unions, e, edge) == 0) {
-        return;
-    }
-    const int axis = edge / HexahedronPairs::edges_per_axis;
-    const int lower = HexahedronPairs::corners[static_cast<std::size_t>(edge)][0];
-    const int upper = HexahedronPairs::corners[static_cast<std::size_t>(edge)][1];
-    const EdgeCopies copies = edge_copies(state.unions, state.lattice().vertex(local_mass(e, lower)), axis);
-    const EdgeCopy here{e, edge, state.unions.label(local_mass(e, lower)), state.unions.label(local_mass(e, upper))};
+/// Calls action(duplet, end, entity) for the active duplets whose sensors reach over the edge of a copy: at the lower end (0), then
+/// at the upper one (1), of each copy merged with it, over the face that is normal to the edge.
+void for_each_sensor(const Network& network, const State& state, const EdgeCopies& copies, const EdgeCopy& here,
+                     auto&& action) {
+    const int axis = here.edge / HexahedronPairs::edges_per_axis;
     for (std::size_t end = 0; end < 2; ++end) {
         for (std::size_t i = 0; i < copies.count; ++i) {
             const EdgeCopy& copy = copies.copy[i];
@@ -95,13 +86,13 @@ std::vector<LocalDuplet> sense_all(const Network& network, const State& state) {
     return found;
 }
 
-/// Calls action(site, edge) for the watched edges stretched beyond their limits, by batch, edge and lane.
+/// Calls action(site, edge) for the edges stretched beyond their limits, by batch, edge and lane.
 void for_each_stretched(const Sensing& sensing, auto&& action) {
     for (std::size_t batch = 0; batch < sensing.exceeded.size(); ++batch) {
         const EdgeBits& exceeded = sensing.exceeded[batch];
         for (int edge = 0; exceeded.any() && edge < HexahedronPairs::edges; ++edge) {
             const auto i = static_cast<std::size_t>(edge);
-            for (unsigned bits = exceeded.lanes(i) & sensing.watched[batch].lanes(i); bits != 0; bits &= bits - 1) {
+            for (unsigned bits = exceeded.lanes(i); bits != 0; bits &= bits - 1) {
                 const std::size_t site = batch * Lattice::lanes + static_cast<std::size_t>(std::countr_zero(bits));
                 action(Site{static_cast<std::int32_t>(site)}, edge);
             }
@@ -116,7 +107,8 @@ std::int64_t place_of(Site site, int edge) {
 }
 
 std::int16_t revision(const State& state, const std::array<VertexSite, 2>& vertex) {
-    return static_cast<std::int16_t>(state.merging.revision(vertex[0]) + state.merging.revision(vertex[1]));
+    return static_cast<std::int16_t>(state.sensing.revision[vertex[0].index()] +
+                                     state.sensing.revision[vertex[1].index()]);
 }
 
 /// By axis, the rest vector between what a sensor watches: the edges under it are in line, and all entities have the same edges.
@@ -171,12 +163,15 @@ void Sensors::look_up(const Network& network, const State& state, Site site, int
     const std::array<VertexSite, 2> vertex{vertex_of(slot[0]), vertex_of(slot[1])};
     StretchedEdge& found =
         now_.edges.emplace_back(StretchedEdge{place_of(site, edge), vertex, revision(state, vertex), 0});
-    for_each_sensor(network, state, e, edge, [&](LocalDuplet d, std::size_t end, LocalEntity copy) {
+    const int axis = edge / HexahedronPairs::edges_per_axis;
+    const EdgeCopies copies = edge_copies(state.unions, vertex[0], axis);
+    const EdgeCopy here{e, edge, plane_of(slot[0]), plane_of(slot[1])};
+    for_each_sensor(network, state, copies, here, [&](LocalDuplet d, std::size_t end, LocalEntity copy) {
         const Reach reach = reach_of(network, d);
         const LocalMass far = entity_of(reach.p) == copy ? reach.q : reach.p;
         now_.sensors.push_back({slot[1 - end], far, state.lattice().vertex(far), d,
                                 rounded_down(extension_limit(network.threshold(d), state.motion.precision())),
-                                static_cast<std::uint8_t>(edge / HexahedronPairs::edges_per_axis), end == 1});
+                                static_cast<std::uint8_t>(axis), end == 1});
         ++found.sensors;
     });
 }
@@ -198,40 +193,28 @@ std::vector<LocalDuplet> Sensors::find_triggered(const Network& network, const S
     return found;
 }
 
-void set_sensing_limits(const Network& network, LocalEntity e, State& state) {
-    const std::size_t site = state.lattice().site(e).index();
-    EdgeBits& watched = state.sensing.watched[site / Lattice::lanes];
-    const std::uint64_t bit = std::uint64_t{1} << site % Lattice::lanes;
-    for (int axis = 0; axis < 3; ++axis) {
+void set_sensing_limits(const Network& network, VertexSite lower, int axis, State& state) {
+    const EdgeCopies copies = edge_copies(state.unions, lower, axis);
+    for (std::size_t i = 0; i < copies.count; ++i) {
+        const EdgeCopy& copy = copies.copy[i];
         double lowest = std::numeric_limits<double>::infinity();
-        for (int edge = axis * HexahedronPairs::edges_per_axis; edge < (axis + 1) * HexahedronPairs::edges_per_axis;
-             ++edge) {
-            watched.remove(static_cast<std::size_t>(edge), bit);
-            for_each_sensor(network, state, e, edge, [&](LocalDuplet d, std::size_t, LocalEntity) {
+        if (state.merging.weight(state.unions, copy.entity, copy.edge) != 0) {
+            for_each_sensor(network, state, copies, copy, [&](LocalDuplet d, std::size_t, LocalEntity) {
                 lowest = std::min(lowest, network.threshold(d));
-                watched.add(static_cast<std::size_t>(edge), bit);
             });
         }
-        state.sensing.limit[(site / Lattice::lanes * 3 + static_cast<std::size_t>(axis)) * Lattice::lanes +
-                            site % Lattice::lanes] = rounded_down(extension_limit(lowest, state.motion.precision()));
+        const std::size_t site = state.lattice().site(copy.entity).index();
+        const std::size_t row = site / Lattice::lanes * HexahedronPairs::edges + static_cast<std::size_t>(copy.edge);
+        state.sensing.limit[row * Lattice::lanes + site % Lattice::lanes] =
+            UpperHalf::not_above(rounded_down(extension_limit(lowest, state.motion.precision())));
     }
 }
 
-void update_edges(const Network& network, std::vector<VertexSite> vertices, State& state) {
-    sort_and_make_unique(vertices);
-    std::vector<LocalEntity> entities;
-    if (state.motion.is_disordered()) {
-        state.motion.order_pool(state.lattice());
-        state.pooled.find(state.unions, state.motion);
-    }
+void update_sensing(const Network& network, std::span<const VertexSite> vertices, State& state) {
     for (const VertexSite v : vertices) {
-        state.pooled.update(state.unions, state.motion, v);
-        state.merging.update(state.unions, v);
-        state.lattice().for_each_mass_at(v, [&](LocalMass m) { entities.push_back(entity_of(m)); });
-    }
-    sort_and_make_unique(entities);
-    for (const LocalEntity e : entities) {
-        set_sensing_limits(network, e, state);
+        ++state.sensing.revision[v.index()];
+        for_each_edge_at(state.lattice(), v,
+                         [&](VertexSite lower, int axis) { set_sensing_limits(network, lower, axis, state); });
     }
 }
 

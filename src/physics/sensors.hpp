@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "physics/merging.hpp"
@@ -61,12 +62,10 @@ private:
     StretchedEdges before_;
 };
 
-/// Recomputes the prefilter's limits of an entity from the active duplets at the edges that it carries.
-void set_sensing_limits(const Network& network, LocalEntity e, State& state);
+/// The prefilter's limits of the edges that go up along an axis from a vertex, by who carries them and which duplets are active.
+void set_sensing_limits(const Network& network, VertexSite lower, int axis, State& state);
 
-/// Brings the edges at some vertices, where their ends are, who carries them and the prefilter's limits, up to date with their unions and
-/// active duplets.
-/// A vertex may be named more than once.
-void update_edges(const Network& network, std::vector<VertexSite> vertices, State& state);
+/// The same for all edges at some vertices, each named once, where unions fell apart or duplets became inactive.
+void update_sensing(const Network& network, std::span<const VertexSite> vertices, State& state);
 
 }  // namespace cracksim::physics

@@ -4,7 +4,9 @@
 #include <numeric>
 #include <optional>
 
+#include "core/sorted.hpp"
 #include "physics/force_sweep.hpp"
+#include "physics/sensors.hpp"
 
 namespace cracksim::physics {
 
@@ -134,8 +136,7 @@ std::vector<VertexSite> concerned_vertices(const Network& network, std::span<con
     for (const LocalDuplet d : triggered) {
         vertices.push_back(state.lattice().vertex(masses_of(network, d)[0]));
     }
-    std::ranges::sort(vertices);
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    sort_and_make_unique(vertices);
     return vertices;
 }
 
@@ -157,12 +158,18 @@ std::size_t split(const Network& network, std::span<const LocalDuplet> triggered
     }
     std::size_t count = 0;
     const std::vector<VertexSite> vertices = concerned_vertices(network, triggered, state);
+    std::vector<VertexSite> changed;
     for (const VertexSite v : vertices) {
+        const std::size_t before = count;
         for (const Slot s : slots_at(state, v)) {
             count += split_union(network, s, state, splits) ? 1U : 0U;
         }
+        if (count > before) {
+            changed.push_back(v);
+        }
     }
-    update_edges(network, vertices, state);
+    state.update_unions(changed);
+    update_sensing(network, vertices, state);
     return count;
 }
 

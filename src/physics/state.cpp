@@ -1,7 +1,5 @@
 #include "physics/state.hpp"
 
-#include <limits>
-
 #include "physics/force_sweep.hpp"
 #include "physics/sensors.hpp"
 #include "physics/supports.hpp"
@@ -15,9 +13,9 @@ Sensing all_active(const Network& network, const Lattice& lattice) {
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interfaces().size()); ++i) {
         sensing.active.push_back(network.touched_duplets(i));
     }
-    sensing.limit.assign(lattice.batches() * 3 * Lattice::lanes, std::numeric_limits<float>::infinity());
-    sensing.watched.assign(lattice.batches(), {});
+    sensing.limit.assign(lattice.batches() * HexahedronPairs::edges * Lattice::lanes, UpperHalf::infinity());
     sensing.exceeded.assign(lattice.batches(), {});
+    sensing.revision.assign(lattice.vertex_sites(), 0);
     return sensing;
 }
 
@@ -57,8 +55,10 @@ State::State(const Network& network, Scheme chosen, double dt, Precision precisi
     for (const Held& union_held : find_held(network, unions)) {
         hold(union_held);
     }
-    for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
-        set_sensing_limits(network, e, *this);
+    for (VertexSite v{0}; v.index() < lattice().vertex_sites(); ++v) {
+        for (int axis = 0; axis < 3; ++axis) {
+            set_sensing_limits(network, v, axis, *this);
+        }
     }
 }
 
@@ -66,6 +66,17 @@ void State::set_mobility(const Network& network, Slot s) {
     double mass = 0;
     unions.for_each_mass(s, [&](LocalMass) { mass += network.model().corner_mass; });
     motion.set_mobility(s, step_size * step_size / mass);
+}
+
+void State::update_unions(std::span<const VertexSite> vertices) {
+    if (motion.is_disordered()) {
+        motion.order_pool(lattice());
+        pooled.find(unions, motion);
+    }
+    for (const VertexSite v : vertices) {
+        pooled.update(unions, motion, v);
+        merging.update(unions, v);
+    }
 }
 
 void State::hold(const Held& union_held) {
@@ -76,8 +87,8 @@ void State::hold(const Held& union_held) {
 
 std::size_t State::memory_bytes() const {
     return unions.memory_bytes() + motion.memory_bytes() + pooled.memory_bytes() + merging.memory_bytes() +
-           held.capacity() * sizeof(Held) + sensing.active.capacity() + sensing.limit.capacity() * sizeof(float) +
-           (sensing.watched.capacity() + sensing.exceeded.capacity()) * sizeof(EdgeBits) +
+           held.capacity() * sizeof(Held) + sensing.active.capacity() + sensing.limit.capacity() * sizeof(UpperHalf) +
+           sensing.exceeded.capacity() * sizeof(EdgeBits) + sensing.revision.capacity() * sizeof(Sensing::Revision) +
            (held_in_row.size() + received_in_row.size()) * sizeof(std::vector<std::size_t>);
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -19,13 +20,16 @@ namespace cracksim::physics {
 
 /// Which duplets are active, and what the prefilter of the sensors needs of the force sweep.
 struct Sensing {
+    /// Counts the changes at a vertex: at most twelve, as each takes one of its duplets.
+    using Revision = std::uint8_t;
+
     std::vector<std::uint8_t> active;  ///< by interface, bit k for duplet k; only duplets of touched unions
-    /// [batch][axis][lane]: no sensor on an edge along the axis that the entity carries can trigger while none of them is stretched
-    /// beyond this (|d|^2/L0^2 - 1).
-    std::vector<float> limit;
-    std::vector<EdgeBits>
-        watched;  ///< [batch]: edges that an entity carries and that an active duplet's sensor reaches over
-    std::vector<EdgeBits> exceeded;  ///< [batch]: edges stretched beyond the limit of their axis; written by the sweep
+    /// [batch][edge][lane]: the extension |d|^2/L0^2 - 1 up to which no sensor that reaches over the edge can trigger; infinite if there is none
+    /// or the entity does not carry the edge.
+    std::vector<UpperHalf> limit;
+    std::vector<EdgeBits> exceeded;  ///< [batch]: edges stretched beyond their limits; written by the sweep
+    std::vector<Revision>
+        revision;  ///< by vertex: rises when sensors at its edges, or what they reach over, become others
 
     [[nodiscard]] bool is_active(LocalDuplet d) const {
         return ((static_cast<unsigned>(active[d.index() / Network::duplets_per_interface]) >>
@@ -97,6 +101,8 @@ struct State {
 
     /// dt^2 over the sum of a union's masses.
     void set_mobility(const Network& network, Slot s);
+    /// Brings where corners are and who carries edges up to date at some vertices, each named once, where masses changed their unions.
+    void update_unions(std::span<const VertexSite> vertices);
     /// A union is held from now on.
     void hold(const Held& union_held);
     [[nodiscard]] std::size_t memory_bytes() const;

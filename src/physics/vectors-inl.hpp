@@ -57,10 +57,13 @@ HWY_INLINE V<Real> FromBytes(const std::uint8_t* from) {
         return hn::ConvertTo(d, whole);
     }
 }
+/// The upper halves of numbers in single precision, with nothing below.
 template <class Real>
-HWY_INLINE V<Real> FromSingle(const float* from) {
+HWY_INLINE V<Real> FromUpperHalves(const std::uint16_t* from) {
     const D<Real> d;
-    const auto single = hn::LoadU(hn::Rebind<float, D<Real>>{}, from);
+    const hn::Rebind<std::uint32_t, D<Real>> d32;
+    const auto whole = hn::ShiftLeft<16>(hn::PromoteTo(d32, hn::LoadU(hn::Rebind<std::uint16_t, D<Real>>{}, from)));
+    const auto single = hn::BitCast(hn::Rebind<float, D<Real>>{}, whole);
     if constexpr (sizeof(Real) > sizeof(float)) {
         return hn::PromoteTo(d, single);
     } else {

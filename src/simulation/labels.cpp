@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/sorted.hpp"
 #include "topology/disjoint_sets.hpp"
 
 namespace cracksim::simulation {
@@ -36,8 +37,7 @@ std::vector<Labels::Joint> Labels::joints() const {
             found.push_back({here, owners[i]});
         }
     }
-    std::ranges::sort(found);
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    sort_and_make_unique(found);
     return found;
 }
 
@@ -46,8 +46,7 @@ void Labels::label_joined(const std::vector<Joint>& all) {
     for (const Joint& joint : all) {
         names.insert(names.end(), {joint.here, joint.there});
     }
-    std::ranges::sort(names);
-    names.erase(std::unique(names.begin(), names.end()), names.end());
+    sort_and_make_unique(names);
     const auto place = [&](EntityId id) {
         return static_cast<std::size_t>(std::ranges::lower_bound(names, id) - names.begin());
     };

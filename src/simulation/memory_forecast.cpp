@@ -37,6 +37,10 @@ double between(const Range& range, double opened) {
     return number(range.intact) + opened * number(range.broken - range.intact);
 }
 
+double number_bytes(const Time& time) {
+    return time.precision == physics::Precision::binary32 ? sizeof(float) : sizeof(double);
+}
+
 double masses(const PartLoad& load) { return Hexahedron::corners * number(load.local); }
 
 /// A factor does not change an infinite threshold.
@@ -53,23 +57,33 @@ double network_bytes(const PartLoad& load, bool one_threshold) {
            number(load.received) * sizeof(LocalMass);
 }
 
-/// Rows with their void places; the base plane has a place for every vertex, and where unions fall apart the other planes have, too.
-double state_bytes(const PartLoad& load, const Time& time, double opened) {
+/// Room that vectors which grow have to spare, on average.
+constexpr double with_room = 1.5;
+
+/// Rows with their void places; the base plane has a place for every vertex.
+double state_bytes(const PartLoad& load, const Time& time) {
     constexpr double lanes = physics::Lattice::lanes;
     constexpr double per_entity = Hexahedron::corners * sizeof(std::uint8_t) + sizeof(std::int32_t);
-    constexpr double planes_of_site = Hexahedron::corners * sizeof(std::uint8_t);
-    constexpr double per_batch = 2 * Hexahedron::corners * sizeof(std::uint8_t) + physics::Merging::bytes_per_batch +
-                                 3 * lanes * sizeof(float) + 2 * sizeof(physics::EdgeBits) + 2 * sizeof(std::uint32_t) +
-                                 sizeof(std::int32_t);
-    constexpr double per_site = planes_of_site + sizeof(LocalEntity) + per_batch / lanes;
-    constexpr double per_vertex = sizeof(std::uint8_t) + sizeof(physics::Merging::Revision) +
-                                  (sizeof(std::int32_t) * (2 + physics::planes) + sizeof(std::uint8_t)) / lanes;
+    constexpr double limits = physics::HexahedronPairs::edges * lanes * sizeof(physics::UpperHalf);
+    constexpr double per_batch = physics::Merging::bytes_per_batch + limits + sizeof(physics::EdgeBits) +
+                                 2 * (sizeof(std::uint32_t) + sizeof(std::int32_t)) + sizeof(std::int32_t);
+    constexpr double per_site = sizeof(LocalEntity) + per_batch / lanes;
+    constexpr double per_vertex = sizeof(std::uint8_t) + sizeof(physics::Sensing::Revision) + sizeof(std::int32_t) +
+                                  2 * sizeof(std::int32_t) / lanes;
     const double components = time.scheme == physics::Scheme::ab2 ? 13 : 10;
-    const double number_bytes = time.precision == physics::Precision::binary32 ? sizeof(float) : sizeof(double);
-    // Blocks are made half as many again: on average a quarter of them is room.
-    const double planes = 1 + opened * 1.25 * (physics::planes - 1);
     return number(load.local) * per_entity + number(load.sites) * per_site +
-           number(load.vertex_sites) * (per_vertex + planes * components * number_bytes) + number(load.interfaces);
+           number(load.vertex_sites) * (per_vertex + components * number_bytes(time)) + number(load.interfaces);
+}
+
+/// Unions off the base plane, and what finds them.
+double pool_bytes(const PartLoad& load, const Time& time, double opened) {
+    constexpr double per_vertex = with_room * physics::planes * sizeof(physics::PoolPlace);
+    constexpr double per_site = with_room * sizeof(physics::PooledCorners) / physics::Lattice::half;
+    const double components = physics::Pooled::together * (time.scheme == physics::Scheme::ab2 ? 4 : 3);
+    // The numbers are given half as much room again.
+    const double per_union = 1.25 * components * number_bytes(time) + with_room * sizeof(physics::PoolPlace);
+    const double unions = masses(load) * (physics::planes - 1) / physics::planes;
+    return opened * (unions * per_union + number(load.vertex_sites) * per_vertex + number(load.sites) * per_site);
 }
 
 /// Links, masks, unions by mass, the search for what came off, twice a tree and pieces, and the free faces with what finds them.
@@ -194,8 +208,8 @@ double event_bytes(const Scene& scene, const PartLoad& load, const RankSetting& 
 }  // namespace
 
 double model_bytes(const Scene& scene, const PartLoad& load, double opened) {
-    return network_bytes(load, has_one_threshold(scene.sensors)) + state_bytes(load, scene.time, opened) +
-           coat_bytes(load, opened);
+    return network_bytes(load, has_one_threshold(scene.sensors)) + state_bytes(load, scene.time) +
+           pool_bytes(load, scene.time, opened) + coat_bytes(load, opened);
 }
 
 std::int64_t peak_bytes(const Scene& scene, const PartLoad& load, const RankSetting& setting, double opened) {

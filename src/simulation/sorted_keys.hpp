@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/contracts.hpp"
+#include "core/sorted.hpp"
 
 namespace cracksim::simulation {
 
@@ -59,8 +60,7 @@ std::int32_t place_in(const std::vector<Key>& keys, const Key& key) {
 /// Ascending, each once, without those that are there.
 template <class Key>
 void keep_new(std::vector<Key>& keys, const std::vector<Key>& there) {
-    std::ranges::sort(keys);
-    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    sort_and_make_unique(keys);
     std::erase_if(keys, [&](const Key& key) { return std::ranges::binary_search(there, key); });
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "core/sorted.hpp"
 #include "topology/dart.hpp"
 #include "topology/orbits.hpp"
 
@@ -36,8 +37,7 @@ void SurfaceReporter::tell_changes(const physics::Network& network, const Coat& 
     const LocalSurface& surface = coat.surface();
     const auto untold = std::span{surface.changed()}.subspan(std::exchange(told_changes_, surface.changed().size()));
     std::vector<std::int32_t> places{untold.begin(), untold.end()};
-    std::ranges::sort(places);
-    places.erase(std::unique(places.begin(), places.end()), places.end());
+    sort_and_make_unique(places);
     for (const std::int32_t place : places) {
         news.changed_faces.push_back(record(network, coat, surface.faces()[static_cast<std::size_t>(place)]));
     }

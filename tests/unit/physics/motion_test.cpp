@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <set>
+#include <vector>
 
 #include "physics/state.hpp"
 #include "support/precisions.hpp"
@@ -72,42 +75,127 @@ TEST(Motion, RoundsToItsPrecision) {
     }
 }
 
-TEST(Motion, TakesABlockWithTheFirstUnionOfAPlaneInAGroup) {
+TEST(Motion, TakesAPlaceInThePoolForAUnionOffTheBasePlaneOnce) {
     test::SerialBlock block;
     block.cells = {64, 4, 4};
     const Network network = block.network();
     const UnionTable unions{network};
     Motion motion{unions.lattice(), false, Precision::binary64};
     const VertexSite v = unions.lattice().vertex(LocalMass{8 * 30});
-    const std::size_t group = v.index() / Lattice::lanes;
-    EXPECT_EQ(motion.planes_in_use()[group], 0U);
     motion.open(slot_of(v, base_plane));
-    EXPECT_EQ(motion.planes_in_use()[group], 0U);
+    EXPECT_EQ(motion.pool_place(slot_of(v, base_plane)), PoolPlace{});
+    EXPECT_EQ(motion.pool_place(slot_of(v, 2)), PoolPlace{});
     motion.open(slot_of(v, 2));
-    EXPECT_EQ(motion.planes_in_use()[group], 1U << 2U);
+    const PoolPlace place = motion.pool_place(slot_of(v, 2));
+    EXPECT_EQ(place, PoolPlace{0});
     EXPECT_EQ(motion.get(slot_of(v, 2), Quantity::increment), (Vec3{0, 0, 0}));
     motion.set(slot_of(v, 2), Quantity::increment, {1, 2, 3});
-    const std::size_t bytes = motion.memory_bytes();
-    const VertexSite neighbour{static_cast<std::int32_t>(group * Lattice::lanes + (v.index() + 1) % Lattice::lanes)};
-    motion.open(slot_of(neighbour, 2));
-    EXPECT_EQ(motion.memory_bytes(), bytes);
-    EXPECT_EQ(motion.get(slot_of(neighbour, 2), Quantity::increment), (Vec3{0, 0, 0}));
+    motion.open(slot_of(v, 2));
+    EXPECT_EQ(motion.pool_place(slot_of(v, 2)), place);
+    motion.open(slot_of(v, 3));
+    EXPECT_EQ(motion.pool_place(slot_of(v, 3)), PoolPlace{1});
+    EXPECT_EQ(motion.get(slot_of(v, 3), Quantity::increment), (Vec3{0, 0, 0}));
     EXPECT_EQ(motion.get(slot_of(v, 2), Quantity::increment), (Vec3{1, 2, 3}));
 }
 
-TEST(Motion, KeepsWhatItHoldsWhileBlocksAreAdded) {
+/// Unions in planes that differ from vertex to vertex, in an order that is not that of their vertices.
+std::vector<Slot> scattered_slots(const UnionTable& unions) {
+    std::vector<Slot> found;
+    const std::vector<Slot> slots = unions.advanced();
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        const VertexSite v = vertex_of(slots[i * 577 % slots.size()]);
+        found.push_back(slot_of(v, v.value() % planes));
+    }
+    return found;
+}
+
+/// The chains of the rows and sides hold each union in the pool once, in that of its own plane's side.
+void expect_chained(const Motion& motion, const Lattice& lattice, const std::vector<Slot>& opened) {
+    std::size_t chained = 0;
+    for (std::size_t row = 0; row < lattice.vertex_rows().size(); ++row) {
+        for (std::size_t side = 0; side < Lattice::sides; ++side) {
+            std::set<std::int32_t> expected;
+            for (const Slot s : opened) {
+                if (plane_of(s) != base_plane && Lattice::side(plane_of(s)) == side &&
+                    static_cast<std::size_t>(lattice.vertex_row(vertex_of(s))) == row) {
+                    expected.insert(motion.pool_place(s).value());
+                }
+            }
+            std::set<std::int32_t> found;
+            for (PoolPlace p = motion.first_pooled(row, side); p != PoolPlace{}; p = motion.next_pooled()[p.index()]) {
+                ASSERT_TRUE(found.insert(p.value()).second);
+            }
+            EXPECT_EQ(found, expected);
+            chained += found.size();
+        }
+    }
+    EXPECT_EQ(chained, static_cast<std::size_t>(
+                           std::ranges::count_if(opened, [](Slot s) { return plane_of(s) != base_plane; })));
+}
+
+TEST(Motion, KeepsWhatItHoldsWhenThePoolIsPutInOrder) {
+    test::SerialBlock block;
+    block.cells = {20, 5, 5};
+    const Network network = block.network();
+    const UnionTable unions{network};
+    for (const Precision precision : test::both_precisions) {
+        Motion motion{unions.lattice(), true, precision};
+        const std::vector<Slot> slots = scattered_slots(unions);
+        std::size_t orders = 0;
+        for (const Slot s : slots) {
+            motion.open(s);
+            motion.set(s, Quantity::increment, {1.0 * s.value(), 2, 3});
+            motion.set(s, Quantity::extrapolated, {4, 5, 6.0 * s.value()});
+            motion.set_mobility(s, s.value());
+            if (motion.is_disordered()) {
+                motion.order_pool(unions.lattice());
+                EXPECT_FALSE(motion.is_disordered());
+                ++orders;
+            }
+        }
+        EXPECT_GT(orders, 2U);
+        expect_chained(motion, unions.lattice(), slots);
+        motion.order_pool(unions.lattice());
+        expect_chained(motion, unions.lattice(), slots);
+        for (const Slot s : slots) {
+            EXPECT_EQ(motion.get(s, Quantity::increment), (Vec3{1.0 * s.value(), 2, 3}));
+            EXPECT_EQ(motion.get(s, Quantity::extrapolated), (Vec3{4, 5, 6.0 * s.value()}));
+            EXPECT_EQ(motion.get(s, Quantity::force), (Vec3{0, 0, 0}));
+            EXPECT_EQ(motion.mobility(s), s.value());
+        }
+    }
+}
+
+TEST(Motion, HasTheUnionsOfARowAndSideNextToEachOtherInAnOrderedPool) {
+    test::SerialBlock block;
+    block.cells = {20, 5, 5};
+    const Network network = block.network();
+    const UnionTable unions{network};
+    Motion motion{unions.lattice(), false, Precision::binary64};
+    for (const Slot s : scattered_slots(unions)) {
+        motion.open(s);
+    }
+    motion.order_pool(unions.lattice());
+    std::int32_t next = 0;
+    for (std::size_t row = 0; row < unions.lattice().vertex_rows().size(); ++row) {
+        for (std::size_t side = 0; side < Lattice::sides; ++side) {
+            for (PoolPlace p = motion.first_pooled(row, side); p != PoolPlace{}; p = motion.next_pooled()[p.index()]) {
+                EXPECT_EQ(p.value(), next++);
+            }
+        }
+    }
+    EXPECT_GT(next, 100);
+}
+
+TEST(Motion, KeepsWhatItHoldsWhileUnionsComeToThePool) {
     test::SerialBlock block;
     block.cells = {40, 5, 5};
     const Network network = block.network();
     const UnionTable unions{network};
     Motion motion{unions.lattice(), false, Precision::binary64};
     const auto value = [](Slot s) { return Vec3{1.0 * s.value(), 2.0 * s.value(), 3.0 * s.value()}; };
-    // In an order that is not that of the places.
-    const std::vector<Slot> slots = unions.advanced();
     std::vector<Slot> opened;
-    for (std::size_t i = 0; i < slots.size(); ++i) {
-        const VertexSite v = vertex_of(slots[i * 577 % slots.size()]);
-        const Slot s = slot_of(v, v.value() % planes);
+    for (const Slot s : scattered_slots(unions)) {
         motion.open(s);
         motion.set(s, Quantity::increment, value(s));
         opened.push_back(s);
@@ -152,9 +240,9 @@ void expect_aligned_vectors(Precision precision) {
     const VertexSite v = vertex_of(unions.advanced().front());
     for (const int plane : {3, 2}) {
         motion.open(slot_of(v, plane));
-        const auto* first = motion.block<Real>(v.index() / Lattice::lanes, plane);
-        EXPECT_EQ(reinterpret_cast<std::uintptr_t>(first) % vector_bytes, 0U);
     }
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(motion.in<Real>().pool()) % vector_bytes, 0U);
+    EXPECT_EQ(motion.pool_stride() % Pooled::together, 0U);
 }
 
 TEST(Motion, LiesOnWholeVectors) {

@@ -10,7 +10,7 @@
 namespace cracksim::physics {
 namespace {
 
-/// Slot and masses say the same of each other, and what is said of batches is true.
+/// Slot and masses say the same of each other.
 void expect_consistent(const Network& network, const UnionTable& unions) {
     std::set<std::int32_t> seen;
     std::vector<LocalMass> masses;
@@ -24,22 +24,6 @@ void expect_consistent(const Network& network, const UnionTable& unions) {
         }
     }
     EXPECT_EQ(seen.size(), static_cast<std::size_t>(network.mass_count()) - network.received().size());
-    const Lattice& lattice = unions.lattice();
-    for (std::size_t half = 0; half < lattice.halves(); ++half) {
-        for (int corner = 0; corner < Hexahedron::corners; ++corner) {
-            const auto c = static_cast<std::size_t>(corner);
-            unsigned found = 0;
-            for (std::size_t lane = 0; lane < Lattice::half; ++lane) {
-                const std::size_t site = half * Lattice::half + lane;
-                const LocalEntity e = lattice.entity(Site{static_cast<std::int32_t>(site)});
-                const int plane = e == LocalEntity{} ? base_plane : plane_of(unions.slot(local_mass(e, corner)));
-                const std::size_t place = site / Lattice::lanes * Hexahedron::corners + c;
-                EXPECT_EQ(unions.lane_planes()[place * Lattice::lanes + site % Lattice::lanes], plane);
-                found |= 1U << static_cast<unsigned>(plane);
-            }
-            EXPECT_EQ(unions.half_planes()[half * Hexahedron::corners + c], found);
-        }
-    }
 }
 
 TEST(UnionTable, HoldsEachMassOnceFromTheStart) {
@@ -72,18 +56,6 @@ TEST(UnionTable, StaysConsistentWhileUnionsFallApart) {
         }
         expect_consistent(network, unions);
     }
-}
-
-TEST(UnionTable, OfAnIntactBlockIsInOnePlaneExceptForTheLoneMassesOfSevenCorners) {
-    test::SerialBlock block;
-    block.cells = {64, 3, 3};
-    const Network network = block.network();
-    const UnionTable unions{network};
-    int other = 0;
-    for (std::size_t place = 0; place < unions.lattice().halves() * Hexahedron::corners; ++place) {
-        other += unions.half_planes()[place] == 1U << base_plane ? 0 : 1;
-    }
-    EXPECT_EQ(other, 7);
 }
 
 }  // namespace
