@@ -336,9 +336,9 @@ void advance(const Network& network, State& state, std::span<const NextMotion> r
     CRACKSIM_EXPECT(received.size() == network.received().size());
     Advancer advancer{network, state, received};
     ForceSweep sweep{network, state, measure};
-    for (const std::int32_t row : state.lattice().sweep_order()) {
-        advancer.advance_before(static_cast<std::size_t>(row));
-        sweep.sweep_row(static_cast<std::size_t>(row));
+    for (std::size_t row = 0; row < state.lattice().cell_rows().size(); ++row) {
+        advancer.advance_before(row);
+        sweep.sweep_row(row);
     }
     if (advancer.broken() && !state.breakdown) {
         const Breakdown found = find_breakdown(network, state);

@@ -117,8 +117,8 @@ void ForceSweep::finish() {
 void accumulate_forces(const Network& network, State& state, Measure measure) {
     state.motion.clear_forces();
     ForceSweep sweep{network, state, measure};
-    for (const std::int32_t row : state.lattice().sweep_order()) {
-        sweep.sweep_row(static_cast<std::size_t>(row));
+    for (std::size_t row = 0; row < state.lattice().cell_rows().size(); ++row) {
+        sweep.sweep_row(row);
     }
     sweep.finish();
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace cracksim::physics {
 
@@ -45,25 +44,6 @@ std::map<RowKey, Extent> vertex_extents(const std::map<RowKey, Extent>& cells) {
     return rows;
 }
 
-/// Places of vertices that a sweep meets again before they leave a core's cache: in two layers, with some 100 bytes a place.
-constexpr std::int64_t places_in_cache = 3200;
-
-/// Strips across y and z: y + z is in one of some length, and within a strip rows ascend. Rows that share vertices do so, too, as the
-/// one with the lower z then has no larger sum.
-std::vector<std::int32_t> in_sweep_order(const std::map<RowKey, Extent>& cells) {
-    std::int64_t longest = 1;
-    std::vector<std::int64_t> sum;
-    for (const auto& [key, extent] : cells) {
-        longest = std::max(longest, extent.end - extent.begin);
-        sum.push_back(key[0] + key[1]);
-    }
-    const std::int64_t width = std::max<std::int64_t>(4, places_in_cache / 2 / longest);
-    std::vector<std::int32_t> order(cells.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::ranges::stable_sort(order, {}, [&](std::int32_t row) { return sum[static_cast<std::size_t>(row)] / width; });
-    return order;
-}
-
 }  // namespace
 
 Lattice::Lattice(const Block& block, const IdArray<LocalEntity, EntityId>& entities) : site_(entities.size()) {
@@ -102,12 +82,10 @@ Lattice::Lattice(const Block& block, const IdArray<LocalEntity, EntityId>& entit
         row_of_batch_.insert(row_of_batch_.end(), static_cast<std::size_t>(batch_count), row);
         cell_rows_.push_back(added);
     }
-    sweep_order_ = in_sweep_order(cells);
 }
 
 std::size_t Lattice::memory_bytes() const {
-    return cell_rows_.capacity() * sizeof(CellRow) + sweep_order_.capacity() * sizeof(std::int32_t) +
-           vertex_rows_.capacity() * sizeof(VertexRow) +
+    return cell_rows_.capacity() * sizeof(CellRow) + vertex_rows_.capacity() * sizeof(VertexRow) +
            (row_of_batch_.capacity() + row_of_vertices_.capacity()) * sizeof(std::int32_t) + site_.bytes() +
            entity_.capacity() * sizeof(LocalEntity);
 }

@@ -52,8 +52,6 @@ public:
     Lattice(const Block& block, const IdArray<LocalEntity, EntityId>& entities);
 
     [[nodiscard]] const std::vector<CellRow>& cell_rows() const { return cell_rows_; }
-    /// All cell rows in an order in which a sweep meets vertices again while they are in the cache. Those that meet a vertex ascend.
-    [[nodiscard]] const std::vector<std::int32_t>& sweep_order() const { return sweep_order_; }
     [[nodiscard]] const std::vector<VertexRow>& vertex_rows() const { return vertex_rows_; }
     [[nodiscard]] std::size_t batches() const { return row_of_batch_.size(); }
     [[nodiscard]] std::size_t halves() const { return 2 * batches(); }
@@ -118,7 +116,6 @@ public:
 
 private:
     std::vector<CellRow> cell_rows_;
-    std::vector<std::int32_t> sweep_order_;
     std::vector<VertexRow> vertex_rows_;
     std::vector<std::int32_t> row_of_batch_;
     std::vector<std::int32_t> row_of_vertices_;
