@@ -189,14 +189,14 @@ bool makes_sense(Vec3 w, double longest) {
 /// Call before state.step is that of the new motion.
 Breakdown find_breakdown(const Network& network, const State& state) {
     Breakdown found{state.step + 1, MassId{}, true};
-    for (const Slot s : state.unions.advanced()) {
+    state.unions.for_each_advanced([&](Slot s, LocalMass smallest) {
         const Vec3 w = state.increment(s);
-        const MassId mass = network.mass(state.unions.smallest_mass(s));
+        const MassId mass = network.mass(smallest);
         if (!makes_sense(w, longest_increment(network)) && (found.mass == MassId{} || mass < found.mass)) {
             found.mass = mass;
             found.finite = std::isfinite(w.x) && std::isfinite(w.y) && std::isfinite(w.z);
         }
-    }
+    });
     return found;
 }
 

@@ -21,12 +21,12 @@ Vec3 centred_increment(const State& state, Slot s) {
 
 double kinetic_energy(const Network& network, const State& state) {
     double energy = 0;
-    for (const Slot s : state.unions.advanced()) {
-        if (network.owned(entity_of(state.unions.smallest_mass(s)))) {
+    state.unions.for_each_advanced([&](Slot s, LocalMass smallest) {
+        if (network.owned(entity_of(smallest))) {
             const Vec3 increment = centred_increment(state, s);
             energy += 0.5 * dot(increment, increment) / state.mobility(s);
         }
-    }
+    });
     return energy;
 }
 

@@ -95,43 +95,53 @@ void Motion::open(Slot s) {
 }
 
 void Motion::order_pool(const Lattice& lattice) {
+    order_by_vertex();
     std::vector<PoolPlace> order;
-    std::vector<Places> places;
     order.reserve(next_pooled_.size());
-    places.reserve(places_.capacity());
-    for (std::size_t row = 0; row < first_pooled_.size(); ++row) {
-        const Lattice::VertexRow& vertices = lattice.vertex_rows()[row];
-        const std::span<std::int32_t> pooled_at = std::span{pooled_at_}.subspan(
-            static_cast<std::size_t>(vertices.first), static_cast<std::size_t>(vertices.length));
-        for (std::int32_t& at : pooled_at) {
-            if (at >= 0) {
-                places.push_back(places_[static_cast<std::size_t>(at)]);
-                at = static_cast<std::int32_t>(places.size()) - 1;
-            }
-        }
+    for (const Lattice::CellRow& cells : lattice.cell_rows()) {
         for (std::size_t side = 0; side < Lattice::sides; ++side) {
-            const std::size_t first = order.size();
-            for (const std::int32_t at : pooled_at) {
-                for (int plane = 0; at >= 0 && plane < planes; ++plane) {
-                    PoolPlace& place = places[static_cast<std::size_t>(at)][static_cast<std::size_t>(plane)];
-                    if (Lattice::side(plane) == side && place != PoolPlace{}) {
-                        order.push_back(place);
-                        place = PoolPlace{static_cast<std::int32_t>(order.size()) - 1};
-                    }
-                }
+            append_pooled(lattice, static_cast<std::size_t>(cells.vertex_row[side]), side, order);
+        }
+    }
+    for (std::size_t row = 0; row < first_pooled_.size(); ++row) {
+        for (std::size_t side = 0; side < Lattice::sides; ++side) {
+            if (lattice.vertex_rows()[row].cell_row[side] < 0) {
+                append_pooled(lattice, row, side, order);
             }
-            chain(row, side, first, order.size());
         }
     }
     CRACKSIM_EXPECT(order.size() == next_pooled_.size());
     std::visit([&](auto& numbers) { numbers.reorder_pool(pool_stride_, order); }, numbers_);
-    places_ = std::move(places);
     disordered_ = 0;
 }
 
-void Motion::chain(std::size_t row, std::size_t side, std::size_t first, std::size_t end) {
+void Motion::order_by_vertex() {
+    std::vector<Places> ordered;
+    ordered.reserve(places_.capacity());
+    for (std::int32_t& at : pooled_at_) {
+        if (at >= 0) {
+            ordered.push_back(places_[static_cast<std::size_t>(at)]);
+            at = static_cast<std::int32_t>(ordered.size()) - 1;
+        }
+    }
+    places_ = std::move(ordered);
+}
+
+void Motion::append_pooled(const Lattice& lattice, std::size_t row, std::size_t side, std::vector<PoolPlace>& order) {
+    const Lattice::VertexRow& vertices = lattice.vertex_rows()[row];
+    const std::size_t first = order.size();
+    for (const std::int32_t at : std::span{pooled_at_}.subspan(static_cast<std::size_t>(vertices.first),
+                                                               static_cast<std::size_t>(vertices.length))) {
+        for (int plane = 0; at >= 0 && plane < planes; ++plane) {
+            PoolPlace& place = places_[static_cast<std::size_t>(at)][static_cast<std::size_t>(plane)];
+            if (Lattice::side(plane) == side && place != PoolPlace{}) {
+                order.push_back(place);
+                place = PoolPlace{static_cast<std::int32_t>(order.size()) - 1};
+            }
+        }
+    }
     PoolPlace next;
-    for (std::size_t place = end; place > first; --place) {
+    for (std::size_t place = order.size(); place > first; --place) {
         next_pooled_[place - 1] = next;
         next = PoolPlace{static_cast<std::int32_t>(place) - 1};
     }

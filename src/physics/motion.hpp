@@ -155,7 +155,7 @@ public:
     [[nodiscard]] const PoolPlace* next_pooled() const { return next_pooled_.data(); }
     /// So many unions came to the pool since it was in order that the sweep would miss the caches.
     [[nodiscard]] bool is_disordered() const { return disordered_ > 64 + next_pooled_.size() / 8; }
-    /// Puts the pool in order. Changes all places there.
+    /// Puts the pool in order: what a row of cells meets first together. Changes all places there.
     void order_pool(const Lattice& lattice);
 
     [[nodiscard]] std::size_t memory_bytes() const;
@@ -181,8 +181,9 @@ private:
         return {numbers.pool() + pooled.index() * pool_stride_ + Pooled::at(quantity), 1};
     }
 
-    /// The unions at the places from first on, up to end, are those of a row of vertices and a side.
-    void chain(std::size_t row, std::size_t side, std::size_t first, std::size_t end);
+    void order_by_vertex();
+    /// Gives the unions of a row of vertices and a side the next places in a new order, of old ones.
+    void append_pooled(const Lattice& lattice, std::size_t row, std::size_t side, std::vector<PoolPlace>& order);
 
     bool extrapolates_;
     std::size_t base_stride_;

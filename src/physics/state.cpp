@@ -23,9 +23,7 @@ void for_each_slot(const Network& network, const UnionTable& unions, auto&& acti
     for (const LocalMass m : network.received()) {
         action(unions.slot(m), m);
     }
-    for (const Slot s : unions.advanced()) {
-        action(s, unions.smallest_mass(s));
-    }
+    unions.for_each_advanced(action);
 }
 
 }  // namespace

@@ -50,12 +50,12 @@ std::vector<Held> find_held(const Network& network, const UnionTable& unions) {
     if (network.supports().empty()) {
         return all;
     }
-    for (const Slot s : unions.advanced()) {
-        const Held held = held_at(network, s, network.rest_position(unions.smallest_mass(s)));
+    unions.for_each_advanced([&](Slot s, LocalMass smallest) {
+        const Held held = held_at(network, s, network.rest_position(smallest));
         if (std::ranges::any_of(held.support, [](int support) { return support >= 0; })) {
             all.push_back(held);
         }
-    }
+    });
     return all;
 }
 

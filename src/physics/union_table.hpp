@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -38,7 +39,29 @@ public:
     /// The same masses in a list, which is cleared first.
     void masses(Slot s, std::vector<LocalMass>& found) const;
     [[nodiscard]] int mass_count(Slot s) const;
-    /// Slots of all unions that this rank advances, by vertex.
+    /// Calls action(slot, smallest mass) for the unions that this rank advances, by vertex and plane.
+    template <class Action>
+    void for_each_advanced(Action&& action) const {
+        for (VertexSite v{0}; v.index() < in_use_.size(); ++v) {
+            const unsigned in_use = in_use_[v.index()];
+            std::array<LocalMass, planes> smallest{};
+            unsigned found = 0;
+            for (std::size_t i = 0; found != in_use; ++i) {
+                const LocalMass m = lattice_->mass_at(v, Lattice::ascending[i]);
+                const unsigned bit = m == LocalMass{} ? found : 1U << static_cast<unsigned>(label(m));
+                if ((found & bit) == 0) {
+                    smallest[static_cast<std::size_t>(label(m))] = m;
+                    found |= bit;
+                }
+            }
+            for (int plane = 0; plane < planes; ++plane) {
+                if ((in_use >> static_cast<unsigned>(plane) & 1U) != 0) {
+                    action(slot_of(v, plane), smallest[static_cast<std::size_t>(plane)]);
+                }
+            }
+        }
+    }
+    /// Slots of all unions that this rank advances, by vertex and plane.
     [[nodiscard]] std::vector<Slot> advanced() const;
 
     /// Makes some masses of a touched vertex (ascending) a union of their own; returns its slot.

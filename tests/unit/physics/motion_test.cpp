@@ -166,7 +166,7 @@ TEST(Motion, KeepsWhatItHoldsWhenThePoolIsPutInOrder) {
     }
 }
 
-TEST(Motion, HasTheUnionsOfARowAndSideNextToEachOtherInAnOrderedPool) {
+TEST(Motion, HasTheUnionsThatARowOfCellsMeetsFirstNextToEachOtherInAnOrderedPool) {
     test::SerialBlock block;
     block.cells = {20, 5, 5};
     const Network network = block.network();
@@ -177,9 +177,10 @@ TEST(Motion, HasTheUnionsOfARowAndSideNextToEachOtherInAnOrderedPool) {
     }
     motion.order_pool(unions.lattice());
     std::int32_t next = 0;
-    for (std::size_t row = 0; row < unions.lattice().vertex_rows().size(); ++row) {
+    for (const Lattice::CellRow& cells : unions.lattice().cell_rows()) {
         for (std::size_t side = 0; side < Lattice::sides; ++side) {
-            for (PoolPlace p = motion.first_pooled(row, side); p != PoolPlace{}; p = motion.next_pooled()[p.index()]) {
+            for (PoolPlace p = motion.first_pooled(static_cast<std::size_t>(cells.vertex_row[side]), side);
+                 p != PoolPlace{}; p = motion.next_pooled()[p.index()]) {
                 EXPECT_EQ(p.value(), next++);
             }
         }

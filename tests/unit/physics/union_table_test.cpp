@@ -24,6 +24,12 @@ void expect_consistent(const Network& network, const UnionTable& unions) {
         }
     }
     EXPECT_EQ(seen.size(), static_cast<std::size_t>(network.mass_count()) - network.received().size());
+    std::vector<Slot> met;
+    unions.for_each_advanced([&](Slot s, LocalMass smallest) {
+        met.push_back(s);
+        EXPECT_EQ(smallest, unions.smallest_mass(s));
+    });
+    EXPECT_EQ(met, unions.advanced());
 }
 
 TEST(UnionTable, HoldsEachMassOnceFromTheStart) {
