@@ -31,9 +31,9 @@ HWY_INLINE void ForEachPooled(const SweepView<Real>& v, std::size_t site, Action
         }
         const PooledCorners& half = v.pooled[index];
         for (std::size_t i = 0; i < half.count; ++i) {
-            const std::size_t lane = first + half.lane[i] - site % Lattice::half;
+            const std::size_t lane = first + half.lane(i) - site % Lattice::half;
             if (lanes >= Lattice::half || lane < lanes) {
-                action(half.place[i], half.corner[i], lane);
+                action(half.place[i], half.corner(i), lane);
             }
         }
     }

@@ -1,7 +1,8 @@
 #include "physics/pooled_corners.hpp"
 
 #include <algorithm>
-#include <limits>
+
+#include "core/sorted.hpp"
 
 namespace cracksim::physics {
 
@@ -34,8 +35,8 @@ PooledCorners find_in(const UnionTable& unions, const Motion& motion, std::size_
                 continue;
             }
             found.place[found.count] = place;
-            found.corner[found.count] = static_cast<std::uint8_t>(corner);
-            found.lane[found.count] = static_cast<std::uint8_t>(lane);
+            found.which[found.count] =
+                static_cast<std::uint8_t>(Lattice::half * static_cast<std::size_t>(corner) + lane);
             ++found.count;
             std::uint8_t& in_base = found.in_base[static_cast<std::size_t>(corner)];
             in_base = static_cast<std::uint8_t>(in_base & ~(1U << lane));
@@ -54,16 +55,20 @@ void PooledHalves::find(const UnionTable& unions, const Motion& motion) {
     }
 }
 
-void PooledHalves::update(const UnionTable& unions, const Motion& motion, VertexSite v) {
-    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-    std::size_t before = none;
-    unions.lattice().for_each_mass_at(v, [&](LocalMass m) {
-        const std::size_t half = unions.lattice().site(entity_of(m)).index() / Lattice::half;
-        if (half != before) {
-            update_half(unions, motion, half);
-        }
-        before = half;
-    });
+void PooledHalves::update(const UnionTable& unions, const Motion& motion, std::span<const VertexSite> vertices) {
+    std::vector<std::size_t> halves;
+    for (const VertexSite v : vertices) {
+        unions.lattice().for_each_mass_at(v, [&](LocalMass m) {
+            const std::size_t half = unions.lattice().site(entity_of(m)).index() / Lattice::half;
+            if (halves.empty() || half != halves.back()) {
+                halves.push_back(half);
+            }
+        });
+    }
+    sort_and_make_unique(halves);
+    for (const std::size_t half : halves) {
+        update_half(unions, motion, half);
+    }
 }
 
 void PooledHalves::update_half(const UnionTable& unions, const Motion& motion, std::size_t half) {

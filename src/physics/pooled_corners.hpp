@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/hexahedron.hpp"
@@ -22,8 +23,10 @@ struct PooledCorners {
     std::array<std::uint8_t, Hexahedron::corners> in_base;
     std::uint32_t count;
     std::array<PoolPlace, most> place;
-    std::array<std::uint8_t, most> corner;
-    std::array<std::uint8_t, most> lane;
+    std::array<std::uint8_t, most> which;  ///< half * corner + lane
+
+    [[nodiscard]] std::size_t corner(std::size_t i) const { return which[i] / std::size_t{Lattice::half}; }
+    [[nodiscard]] std::size_t lane(std::size_t i) const { return which[i] % std::size_t{Lattice::half}; }
 };
 
 /// What the pool holds of the corners of all entities.
@@ -33,8 +36,8 @@ public:
 
     /// Looks at all entities. Unions whose motion this rank needs have memory.
     void find(const UnionTable& unions, const Motion& motion);
-    /// Looks at the entities at a vertex.
-    void update(const UnionTable& unions, const Motion& motion, VertexSite v);
+    /// Looks at the entities at some vertices.
+    void update(const UnionTable& unions, const Motion& motion, std::span<const VertexSite> vertices);
 
     /// [half of a batch]: index into halves, -1 where all corners are in the base plane.
     [[nodiscard]] const std::int32_t* index() const { return index_.data(); }

@@ -70,9 +70,10 @@ void State::update_unions(std::span<const VertexSite> vertices) {
     if (motion.is_disordered()) {
         motion.order_pool(lattice());
         pooled.find(unions, motion);
+    } else {
+        pooled.update(unions, motion, vertices);
     }
     for (const VertexSite v : vertices) {
-        pooled.update(unions, motion, v);
         merging.update(unions, v);
     }
 }

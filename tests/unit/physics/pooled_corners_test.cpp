@@ -28,7 +28,7 @@ void expect_true_of_all_corners(const State& state) {
             pooled = state.pooled.halves()[state.pooled.index()[half]];
         }
         for (std::size_t i = 0; i < pooled.count; ++i) {
-            found[pooled.corner[i]][pooled.lane[i]] = pooled.place[i];
+            found[pooled.corner(i)][pooled.lane(i)] = pooled.place[i];
         }
         for (int corner = 0; corner < Hexahedron::corners; ++corner) {
             const auto c = static_cast<std::size_t>(corner);
@@ -53,8 +53,8 @@ void expect_ascending(const State& state) {
         }
         const PooledCorners& pooled = state.pooled.halves()[state.pooled.index()[half]];
         const auto mass = [&](std::size_t i) {
-            const Site site{static_cast<std::int32_t>(half * Lattice::half + pooled.lane[i])};
-            return local_mass(state.lattice().entity(site), pooled.corner[i]);
+            const Site site{static_cast<std::int32_t>(half * Lattice::half + pooled.lane(i))};
+            return local_mass(state.lattice().entity(site), static_cast<int>(pooled.corner(i)));
         };
         for (std::size_t i = 0; i < pooled.count; ++i) {
             for (std::size_t j = i + 1; j < pooled.count; ++j) {
