@@ -92,7 +92,8 @@ void AdvanceAll(AdvanceView<Real>& v) {
     for (std::size_t at = 0; at < v.length; at += hn::Lanes(d)) {
         AdvanceLanes<kExtrapolate>(v.base + at, v.base_stride, limit, sane);
     }
-    v.broken = v.broken || !hn::AllTrue(d, sane) || !AdvancePooled<kExtrapolate>(v);
+    const bool pool_is_sane = AdvancePooled<kExtrapolate>(v);
+    v.broken = v.broken || !hn::AllTrue(d, sane) || !pool_is_sane;
 }
 
 template <class Real>

@@ -39,6 +39,16 @@ HWY_INLINE void ForEachPooled(const SweepView<Real>& v, std::size_t site, Action
     }
 }
 
+/// All corners are in the pool.
+template <class Real>
+HWY_INLINE bool IsPooled(const SweepView<Real>& v, std::size_t site) {
+    const auto is_pooled = [&](std::size_t at) {
+        const std::int32_t index = v.pooled_of_half[at / Lattice::half];
+        return index >= 0 && v.pooled[index].count == PooledCorners::most;
+    };
+    return is_pooled(site) && (!is_whole_batch<Real> || is_pooled(site + Lattice::half));
+}
+
 /// A bit for each lane whose corner is in the base plane or void.
 template <class Real>
 HWY_INLINE std::uint8_t LanesInBase(const SweepView<Real>& v, std::size_t site, std::size_t corner) {
@@ -63,7 +73,8 @@ HWY_INLINE V3<Real> Where(std::uint8_t lanes, const V3<Real>& v) {
 template <class Real>
 CRACKSIM_INLINE void Assemble(const SweepView<Real>& v, const RowView& row, std::size_t at,
                               Assembled<Real>& assembled) {
-    for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
+    const bool all_pooled = IsPooled(v, row.first_site + at);
+    for (std::size_t c = 0; !all_pooled && c < Hexahedron::corners; ++c) {
         const auto corner = static_cast<int>(c);
         const Real* base = v.base + row.vertex[Lattice::side(corner)] + at + Lattice::along(corner);
         Store3(Load3(base, v.base_stride), assembled.motion[c][0], vector_lanes<Real>);

@@ -57,7 +57,6 @@ struct EdgeBits {
         second |= other.second;
         return *this;
     }
-    void remove(std::size_t edge, std::uint64_t lanes) { (edge < 8 ? first : second) &= ~(lanes << shift(edge)); }
 
 private:
     [[nodiscard]] static constexpr std::size_t shift(std::size_t edge) { return edge % 8 * 8; }

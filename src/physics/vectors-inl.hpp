@@ -89,15 +89,6 @@ HWY_INLINE void Store3(const V3<Real>& v, Real* to, std::size_t stride) {
 }
 
 template <class Real>
-HWY_INLINE V3<Real> Add(const V3<Real>& a, const V3<Real>& b) {
-    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
-}
-template <class Real>
-HWY_INLINE V3<Real> Choose(hn::Mask<D<Real>> mask, const V3<Real>& yes, const V3<Real>& no) {
-    return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
-}
-
-template <class Real>
 HWY_INLINE unsigned Bits(hn::Mask<D<Real>> mask) {
     const D<Real> d;
     std::uint8_t bits[8] = {};

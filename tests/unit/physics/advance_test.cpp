@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "physics/force_sweep.hpp"
+#include "physics/split.hpp"
 #include "support/precisions.hpp"
 #include "support/random_state.hpp"
 #include "support/serial_network.hpp"
@@ -100,6 +103,43 @@ TEST(Advance, NotesTheFirstUnionThatMakesNoSense) {
         EXPECT_EQ(state.breakdown->step, 1);
         EXPECT_EQ(state.breakdown->mass, network.mass(state.unions.smallest_mass(bad)));
         EXPECT_EQ(state.breakdown->finite, std::isfinite(broken));
+    }
+}
+
+/// Every third duplet inactive.
+State cracked_state(const Network& network, Precision precision) {
+    State state{network, Scheme::ab2, 0.3, precision};
+    std::vector<LocalDuplet> inactive;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interfaces().size()); ++i) {
+        for (int k = 0; k < Network::duplets_per_interface; ++k) {
+            if ((i + k) % 3 != 0) {
+                inactive.emplace_back(i * Network::duplets_per_interface + k);
+            }
+        }
+    }
+    SplitStream splits;
+    EXPECT_GT(split(network, inactive, state, splits), 50U);
+    return state;
+}
+
+TEST(Advance, MovesAllUnionsOfACrackedBlockWhereOneMakesNoSense) {
+    test::SerialBlock block;
+    block.cells = {9, 3, 2};
+    const Network network = block.network();
+    for (const Precision precision : test::both_precisions) {
+        State state = cracked_state(network, precision);
+        test::shake(state, 0.1, 10);
+        accumulate_forces(network, state, Measure::nothing);
+        const Slot bad = state.unions.slot(LocalMass{0});
+        state.set_increment(bad, {0, 1e5, 0});
+        const State before = state;
+        advance(network, state, {}, Measure::nothing);
+        EXPECT_TRUE(state.breakdown.has_value());
+        for (const Slot s : state.unions.advanced()) {
+            const Vec3 w = before.increment(s) + before.mobility(s) * before.force(s);
+            EXPECT_LT(norm(state.increment(s) - w), test::allowed(1e-15, precision) * (s == bad ? 1e5 : 1));
+            EXPECT_EQ(state.displacement(s), state.motion.rounded(before.displacement(s) + state.increment(s)));
+        }
     }
 }
 
