@@ -8,8 +8,7 @@ namespace cracksim {
 /// Sorts a list and leaves each value once.
 void sort_and_make_unique(auto& list) {
     std::ranges::sort(list);
-    const auto again = std::ranges::unique(list);
-    list.erase(again.begin(), again.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 }  // namespace cracksim

@@ -4,12 +4,15 @@
 #include <utility>
 
 #include "core/contracts.hpp"
+#include "core/growth.hpp"
 
 namespace cracksim::physics {
 
 namespace {
 
 constexpr std::size_t lanes = Lattice::lanes;
+/// Of the pool, what it is given to grow into, and what may be out of order.
+constexpr std::size_t room_share = 8;
 
 /// In whole vectors, of doubles in whole cache lines, and so that the components of a vertex fall on different sets of the cache.
 std::size_t stride_for(std::size_t sites) {
@@ -43,7 +46,7 @@ template <class Real>
 void MotionNumbers<Real>::extend_pool(std::size_t numbers_of_union) {
     const std::size_t size = pool_.size() + numbers_of_union;
     if (size > pool_.capacity()) {
-        pool_.reserve(size + size / 2);
+        pool_.reserve(size + size / room_share);
     }
     pool_.resize(size, Real{0});
 }
@@ -51,7 +54,7 @@ void MotionNumbers<Real>::extend_pool(std::size_t numbers_of_union) {
 template <class Real>
 void MotionNumbers<Real>::reorder_pool(std::size_t numbers_of_union, std::span<const PoolPlace> order) {
     std::vector<Real, LineAllocator<Real>> ordered;
-    ordered.reserve(pool_.capacity());
+    ordered.reserve(pool_.size() + pool_.size() / room_share);
     for (const PoolPlace place : order) {
         const auto from = pool_.cbegin() + static_cast<std::ptrdiff_t>(place.index() * numbers_of_union);
         ordered.insert(ordered.end(), from, from + static_cast<std::ptrdiff_t>(numbers_of_union));
@@ -81,6 +84,7 @@ void Motion::open(Slot s) {
     const std::size_t v = vertex_of(s).index();
     if (pooled_at_[v] < 0) {
         pooled_at_[v] = static_cast<std::int32_t>(places_.size());
+        make_room_for_one(places_);
         places_.emplace_back();
     }
     PoolPlace& found = places_[static_cast<std::size_t>(pooled_at_[v])][static_cast<std::size_t>(plane_of(s))];
@@ -89,9 +93,15 @@ void Motion::open(Slot s) {
         std::visit([&](auto& numbers) { numbers.extend_pool(pool_stride_); }, numbers_);
         PoolPlace& first =
             first_pooled_[static_cast<std::size_t>(row_of_group_[v / lanes])][Lattice::side(plane_of(s))];
+        make_room_for_one(next_pooled_);
         next_pooled_.push_back(std::exchange(first, found));
         ++disordered_;
     }
+}
+
+bool Motion::is_disordered() const {
+    constexpr std::size_t not_worth_it = 64;
+    return disordered_ > not_worth_it + next_pooled_.size() / room_share;
 }
 
 void Motion::order_pool(const Lattice& lattice) {

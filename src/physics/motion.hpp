@@ -154,7 +154,7 @@ public:
     /// [place in the pool]: the next one of the same row and side, or none.
     [[nodiscard]] const PoolPlace* next_pooled() const { return next_pooled_.data(); }
     /// So many unions came to the pool since it was in order that the sweep would miss the caches.
-    [[nodiscard]] bool is_disordered() const { return disordered_ > 64 + next_pooled_.size() / 8; }
+    [[nodiscard]] bool is_disordered() const;
     /// Puts the pool in order: what a row of cells meets first together. Changes all places there.
     void order_pool(const Lattice& lattice);
 

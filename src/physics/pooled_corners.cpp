@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/growth.hpp"
 #include "core/sorted.hpp"
 
 namespace cracksim::physics {
@@ -76,6 +77,7 @@ void PooledHalves::update_half(const UnionTable& unions, const Motion& motion, s
     std::int32_t& index = index_[half];
     if (index < 0 && found.count > 0) {
         index = static_cast<std::int32_t>(halves_.size());
+        make_room_for_one(halves_);
         halves_.emplace_back();
     }
     if (index >= 0) {

@@ -57,8 +57,8 @@ double network_bytes(const PartLoad& load, bool one_threshold) {
            number(load.received) * sizeof(LocalMass);
 }
 
-/// Room that vectors which grow have to spare, on average.
-constexpr double with_room = 1.5;
+/// Of what grows with the splits an eighth is room, at most.
+constexpr double with_room = 1 + 1.0 / 16;
 
 /// Rows with their void places; the base plane has a place for every vertex.
 double state_bytes(const PartLoad& load, const Time& time) {
@@ -80,8 +80,7 @@ double pool_bytes(const PartLoad& load, const Time& time, double opened) {
     constexpr double per_vertex = with_room * physics::planes * sizeof(physics::PoolPlace);
     constexpr double per_site = with_room * sizeof(physics::PooledCorners) / physics::Lattice::half;
     const double components = physics::Pooled::together * (time.scheme == physics::Scheme::ab2 ? 4 : 3);
-    // The numbers are given half as much room again.
-    const double per_union = 1.25 * components * number_bytes(time) + with_room * sizeof(physics::PoolPlace);
+    const double per_union = with_room * (components * number_bytes(time) + sizeof(physics::PoolPlace));
     const double unions = masses(load) * (physics::planes - 1) / physics::planes;
     return opened * (unions * per_union + number(load.vertex_sites) * per_vertex + number(load.sites) * per_site);
 }
