@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "physics/lattice.hpp"
 #include "physics/motion.hpp"
 
 namespace cracksim::physics {

@@ -65,7 +65,8 @@ HWY_INLINE std::uint8_t LanesInBase(const SweepView<Real>& v, std::size_t site, 
 
 template <class Real>
 HWY_INLINE V3<Real> Where(std::uint8_t lanes, const V3<Real>& v) {
-    const auto mask = hn::LoadMaskBits(D<Real>{}, &lanes);
+    const std::uint8_t bits[8] = {lanes};
+    const auto mask = hn::LoadMaskBits(D<Real>{}, bits);
     return {hn::IfThenElseZero(mask, v.x), hn::IfThenElseZero(mask, v.y), hn::IfThenElseZero(mask, v.z)};
 }
 

@@ -1,15 +1,14 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include "physics/entity_model.hpp"
 #include "physics/lattice.hpp"
 #include "physics/motion.hpp"
 #include "physics/pooled_corners.hpp"
+#include "physics/upper_half.hpp"
 
 namespace cracksim::physics {
 
@@ -26,20 +25,6 @@ struct Series {
     static constexpr double reach = 0.425;
     /// Below this |d|^2/L0^2 the direction is not defined.
     static constexpr double tiny_squared = 1e-24;
-};
-
-/// The upper half of a number in single precision.
-struct UpperHalf {
-    std::uint16_t bits;
-
-    /// The greatest that is not above a number.
-    [[nodiscard]] static UpperHalf not_above(float value) {
-        const auto bits = std::bit_cast<std::uint32_t>(value);
-        const std::uint32_t away_from_zero = value < 0 && (bits & 0xffffU) != 0 ? 1 : 0;
-        return {static_cast<std::uint16_t>((bits >> 16U) + away_from_zero)};
-    }
-    [[nodiscard]] static UpperHalf infinity() { return not_above(std::numeric_limits<float>::infinity()); }
-    [[nodiscard]] float value() const { return std::bit_cast<float>(std::uint32_t{bits} << 16U); }
 };
 
 /// Some edges of the entities of a batch: for each edge a bit a lane.

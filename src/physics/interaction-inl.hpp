@@ -159,7 +159,7 @@ CRACKSIM_INLINE void Complete(const InteractionConstants<Real>& c, const UpperHa
         sums.farthest = hn::Max(sums.farthest, hn::Abs(hn::Sub(extension, Same<Real>(Series::centre))));
     }
     if constexpr (I < HexahedronPairs::edges) {
-        sums.exceeded[I] = Bits<Real>(hn::Gt(extension, FromUpperHalves<Real>(&limits[I * Lattice::lanes].bits)));
+        sums.exceeded[I] = Bits<Real>(hn::Gt(extension, FromUpperHalves<Real>(limits + I * Lattice::lanes)));
     }
 }
 

@@ -4,14 +4,6 @@
 
 namespace cracksim::physics {
 
-namespace {
-
-constexpr bool is_lower(int corner, int axis) {
-    return Hexahedron::offset[static_cast<std::size_t>(corner)][static_cast<std::size_t>(axis)] == 0;
-}
-
-}  // namespace
-
 EdgeCopies edge_copies(const UnionTable& unions, VertexSite lower, int axis) {
     EdgeCopies found;
     for (const int corner : Lattice::ascending) {

@@ -31,14 +31,17 @@ struct EdgeCopies {
 /// The copies of the edge that goes up along an axis from a vertex.
 [[nodiscard]] EdgeCopies edge_copies(const UnionTable& unions, VertexSite lower, int axis);
 
+/// The corner is at the lower ends of its entity's edges along an axis.
+[[nodiscard]] constexpr bool is_lower(int corner, int axis) {
+    return Hexahedron::offset[static_cast<std::size_t>(corner)][static_cast<std::size_t>(axis)] == 0;
+}
+
 /// Calls action(lower, axis) for the edges at a vertex, from their lower ends.
 void for_each_edge_at(const Lattice& lattice, VertexSite v, auto&& action) {
     for (int axis = 0; axis < 3; ++axis) {
         action(v, axis);
         for (const int corner : Lattice::ascending) {
-            const bool is_upper =
-                Hexahedron::offset[static_cast<std::size_t>(corner)][static_cast<std::size_t>(axis)] != 0;
-            const LocalMass m = is_upper ? lattice.mass_at(v, corner) : LocalMass{};
+            const LocalMass m = is_lower(corner, axis) ? LocalMass{} : lattice.mass_at(v, corner);
             if (m != LocalMass{}) {
                 action(lattice.vertex(local_mass(entity_of(m), Hexahedron::across(corner, axis))), axis);
                 break;

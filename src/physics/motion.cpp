@@ -126,7 +126,7 @@ void Motion::order_pool(const Lattice& lattice) {
 }
 
 void Motion::order_by_vertex() {
-    std::vector<Places> ordered;
+    std::vector<PlacesOfVertex> ordered;
     ordered.reserve(places_.capacity());
     for (std::int32_t& at : pooled_at_) {
         if (at >= 0) {
@@ -161,7 +161,7 @@ void Motion::append_pooled(const Lattice& lattice, std::size_t row, std::size_t 
 void Motion::set(Slot s, std::size_t quantity, Vec3 value) {
     CRACKSIM_EXPECT(quantity != Quantity::extrapolated || extrapolates_);
     const auto assign = [&]<class Real>(MotionNumbers<Real>& numbers) {
-        const Place<Real> p = place(numbers, s, quantity);
+        const Components<Real> p = place(numbers, s, quantity);
         p.first[0] = static_cast<Real>(value.x);
         p.first[p.stride] = static_cast<Real>(value.y);
         p.first[2 * p.stride] = static_cast<Real>(value.z);
@@ -214,7 +214,7 @@ void Motion::clear_forces() {
 std::size_t Motion::memory_bytes() const {
     return std::visit([](const auto& numbers) { return numbers.memory_bytes(); }, numbers_) +
            (row_of_group_.capacity() + pooled_at_.capacity()) * sizeof(std::int32_t) +
-           places_.capacity() * sizeof(Places) + next_pooled_.capacity() * sizeof(PoolPlace) +
+           places_.capacity() * sizeof(PlacesOfVertex) + next_pooled_.capacity() * sizeof(PoolPlace) +
            first_pooled_.capacity() * sizeof(first_pooled_.front());
 }
 

@@ -16,7 +16,7 @@
 
 namespace cracksim::physics {
 
-/// Place of a Mass-union's motion: 8 * vertex + plane. The planes of a vertex are for the parts that its masses fell into.
+/// Stands for a Mass-union: 8 * vertex + plane. The planes of a vertex are for the parts that its masses fell into.
 using Slot = Id<struct SlotTag, std::int32_t>;
 
 constexpr int planes = 8;
@@ -113,7 +113,7 @@ public:
     }
     [[nodiscard]] Vec3 rounded(Vec3 value) const { return {rounded(value.x), rounded(value.y), rounded(value.z)}; }
 
-    /// Makes sure that a slot has memory; what is new is zero. Moves the pool.
+    /// Makes sure that a slot has memory; what is new is zero. May move the pool.
     void open(Slot s);
     [[nodiscard]] Vec3 get(Slot s, std::size_t quantity) const {
         const auto values = [&](const auto& numbers) {
@@ -163,16 +163,16 @@ public:
 private:
     /// A quantity's first component, and how far it is to the next.
     template <class T>
-    struct Place {
+    struct Components {
         T* first;
         std::size_t stride;
     };
     template <class Numbers>
-    using PlaceIn = Place<std::remove_pointer_t<decltype(std::declval<Numbers&>().base())>>;
-    using Places = std::array<PoolPlace, planes>;
+    using ComponentsIn = Components<std::remove_pointer_t<decltype(std::declval<Numbers&>().base())>>;
+    using PlacesOfVertex = std::array<PoolPlace, planes>;
 
     template <class Numbers>
-    [[nodiscard]] PlaceIn<Numbers> place(Numbers& numbers, Slot s, std::size_t quantity) const {
+    [[nodiscard]] ComponentsIn<Numbers> place(Numbers& numbers, Slot s, std::size_t quantity) const {
         if (plane_of(s) == base_plane) {
             return {numbers.base() + quantity * base_stride_ + vertex_of(s).index(), base_stride_};
         }
@@ -191,7 +191,7 @@ private:
     std::variant<MotionNumbers<double>, MotionNumbers<float>> numbers_;
     std::vector<std::int32_t> row_of_group_;  ///< by group of as many vertices as there are lanes
     std::vector<std::int32_t> pooled_at_;     ///< by vertex: index into places_, -1 if the pool has none of its unions
-    std::vector<Places> places_;              ///< by plane
+    std::vector<PlacesOfVertex> places_;      ///< by plane
     std::vector<std::array<PoolPlace, Lattice::sides>> first_pooled_;  ///< by row of vertices and side
     std::vector<PoolPlace> next_pooled_;
     std::size_t disordered_{0};

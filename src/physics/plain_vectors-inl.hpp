@@ -28,7 +28,7 @@ using LowestLayer = std::index_sequence<1, 3, 5, 7, 10, 12, 13, 14, 15>;
 /// registers.
 template <class Real>
 struct PlainCorners {
-    const Real* side[Lattice::sides];  ///< the lower corners' u in the chunks
+    const Real* side[Lattice::sides];  ///< the lower corners' u in the base plane
     std::size_t stride;
     std::size_t velocity;  ///< from u to what damping takes for w
 

@@ -46,12 +46,15 @@ public:
             const unsigned in_use = in_use_[v.index()];
             std::array<LocalMass, planes> smallest{};
             unsigned found = 0;
-            for (std::size_t i = 0; found != in_use; ++i) {
+            for (std::size_t i = 0; found != in_use && i < Lattice::ascending.size(); ++i) {
                 const LocalMass m = lattice_->mass_at(v, Lattice::ascending[i]);
-                const unsigned bit = m == LocalMass{} ? found : 1U << static_cast<unsigned>(label(m));
-                if ((found & bit) == 0) {
-                    smallest[static_cast<std::size_t>(label(m))] = m;
-                    found |= bit;
+                if (m == LocalMass{}) {
+                    continue;
+                }
+                const auto plane = static_cast<std::size_t>(label(m));
+                if ((found >> plane & 1U) == 0) {
+                    smallest[plane] = m;
+                    found |= 1U << plane;
                 }
             }
             for (int plane = 0; plane < planes; ++plane) {

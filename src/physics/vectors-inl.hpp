@@ -12,6 +12,7 @@
 #include <cstdint>
 
 #include "physics/lattice.hpp"
+#include "physics/upper_half.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
@@ -59,7 +60,9 @@ HWY_INLINE V<Real> FromBytes(const std::uint8_t* from) {
 }
 /// The upper halves of numbers in single precision, with nothing below.
 template <class Real>
-HWY_INLINE V<Real> FromUpperHalves(const std::uint16_t* from) {
+HWY_INLINE V<Real> FromUpperHalves(const UpperHalf* upper) {
+    static_assert(sizeof(UpperHalf) == sizeof(std::uint16_t));
+    const auto* from = reinterpret_cast<const std::uint16_t*>(upper);
     const D<Real> d;
     const hn::Rebind<std::uint32_t, D<Real>> d32;
     const auto whole = hn::ShiftLeft<16>(hn::PromoteTo(d32, hn::LoadU(hn::Rebind<std::uint16_t, D<Real>>{}, from)));

@@ -57,7 +57,7 @@ double network_bytes(const PartLoad& load, bool one_threshold) {
            number(load.received) * sizeof(LocalMass);
 }
 
-/// Of what grows with the splits an eighth is room, at most.
+/// What grows with the splits is given an eighth of room; on average half of that is left.
 constexpr double with_room = 1 + 1.0 / 16;
 
 /// Rows with their void places; the base plane has a place for every vertex.

@@ -88,10 +88,12 @@ double flops_of_step(const DamagedBlock& block) {
 
 double bytes_of_step(const DamagedBlock& block) {
     const physics::State& state = block.state;
-    // Of the 10 components (13 with ab2) all are read and all but the mobility are written.
+    // Of the 10 components (13 with ab2) all are read and all but the mobility are written; the lists of the pool, counted with them,
+    // are small beside.
     const double components = state.scheme == physics::Scheme::ab2 ? 13 : 10;
     const double motion = static_cast<double>(state.motion.memory_bytes()) * (2 * components - 1) / components;
-    const std::size_t read = state.merging.memory_bytes() + state.sensing.limit.size() * sizeof(physics::UpperHalf) +
+    const std::size_t read = state.merging.memory_bytes() + state.pooled.memory_bytes() +
+                             state.sensing.limit.size() * sizeof(physics::UpperHalf) +
                              state.sensing.exceeded.size() * sizeof(physics::EdgeBits);
     return motion + static_cast<double>(read);
 }

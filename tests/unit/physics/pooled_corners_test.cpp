@@ -9,7 +9,6 @@
 #include <random>
 #include <vector>
 
-#include "physics/sensors.hpp"
 #include "physics/split.hpp"
 #include "physics/state.hpp"
 #include "support/serial_network.hpp"

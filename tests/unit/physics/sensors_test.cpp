@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "physics/force_sweep.hpp"
 #include "physics/split.hpp"
@@ -118,6 +120,34 @@ TEST(Prefilter, ForgetsWhatItKeptOfEdgesWhereUnionsSplit) {
         }
     }
     EXPECT_GT(found, 1000U);
+}
+
+TEST(Prefilter, HasAfterEachSplitTheLimitsOfAllEdgesAnew) {
+    test::SerialBlock block;
+    block.cells = {9, 4, 3};
+    block.thresholds.weibull = Weibull{3, 11};
+    block.thresholds.field = [](Vec3) { return 0.2; };
+    const Network network = block.network();
+    State state{network, Scheme::cordis, 0.3};
+    Sensors sensors{Prefilter::on};
+    std::size_t changed = 0;
+    for (std::uint64_t step = 0; step < 40; ++step) {
+        walk(state, 0.06, step);
+        accumulate_forces(network, state, Measure::nothing);
+        const std::vector<UpperHalf> before = state.sensing.limit;
+        SplitStream splits;
+        split(network, sensors.sense(network, state), state, splits);
+        State anew = state;
+        std::ranges::fill(anew.sensing.limit, UpperHalf::infinity());
+        for (VertexSite v{0}; v.index() < state.lattice().vertex_sites(); ++v) {
+            for (int axis = 0; axis < 3; ++axis) {
+                set_sensing_limits(network, v, axis, anew);
+            }
+        }
+        ASSERT_EQ(state.sensing.limit, anew.sensing.limit) << "step " << step;
+        changed += state.sensing.limit != before ? 1U : 0U;
+    }
+    EXPECT_GT(changed, 10U);
 }
 
 TEST(Sensor, TriggersAcrossTheStretchedFaceOnly) {
