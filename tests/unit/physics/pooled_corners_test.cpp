@@ -38,7 +38,7 @@ void expect_true_of_all_corners(const State& state) {
                                                ? PoolPlace{}
                                                : state.motion.pool_place(state.unions.slot(local_mass(e, corner)));
                 EXPECT_EQ(found[c][lane], expected);
-                EXPECT_EQ((pooled.in_base[c] >> lane & 1U) != 0, expected == PoolPlace{});
+                EXPECT_EQ((unsigned{pooled.in_base[c]} >> lane & 1U) != 0, expected == PoolPlace{});
             }
         }
     }
