@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/sorted.hpp"
 #include "io/agreement.hpp"
 #include "io/file_error.hpp"
 #include "io/hdf5.hpp"
@@ -79,8 +80,7 @@ std::int64_t bytes(std::size_t events, const SplitParts& parts) {
 }
 
 std::vector<DupletEvent> sorted(std::vector<DupletEvent> events) {
-    std::ranges::sort(events);
-    events.erase(std::unique(events.begin(), events.end()), events.end());
+    sort_and_make_unique(events);
     return events;
 }
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "core/sorted.hpp"
+
 namespace cracksim::partition {
 
 namespace {
@@ -24,8 +26,7 @@ std::vector<std::int64_t> merged(const Lists& requests) {
     for (const auto& list : requests) {
         all.insert(all.end(), list.begin(), list.end());
     }
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
+    sort_and_make_unique(all);
     return all;
 }
 

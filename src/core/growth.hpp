@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cstddef>
+
 namespace cracksim {
 
-/// Before a list grows by one: where there is no room, room for an eighth more. Takes less memory than doubling.
-void make_room_for_one(auto& list) {
-    if (list.size() == list.capacity()) {
-        list.reserve(list.size() + list.size() / 8 + 8);
+/// Before a list grows by some: where there is no room, room for an eighth more. Takes less memory than doubling.
+void make_room(auto& list, std::size_t count) {
+    const std::size_t size = list.size() + count;
+    if (size > list.capacity()) {
+        list.reserve(size + size / 8);
     }
 }
 

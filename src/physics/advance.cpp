@@ -26,32 +26,40 @@ HWY_INLINE Vector NextIncrement(Vector increment, Vector mobility, Vector force)
     return hn::MulAdd(mobility, hn::Add(force, hn::Zero(d)), increment);
 }
 
-template <class Vector>
-HWY_INLINE Vector Extrapolated(Vector now, Vector before) {
+/// Where components of some unions' motions are.
+template <class Real>
+struct ComponentView {
+    Real* displacement;
+    Real* increment;
+    Real* force;
+    Real* extrapolated;  ///< with ab2
+};
+
+/// The step of some components. Not set in the mask: lanes whose increment makes no sense.
+template <bool kExtrapolate, class Real, class Vector>
+HWY_INLINE auto AdvanceComponent(const ComponentView<Real>& v, Vector mobility, Vector limit) {
     const hn::DFromV<Vector> d;
-    using Real = hn::TFromD<decltype(d)>;
-    return hn::Sub(hn::Mul(hn::Set(d, static_cast<Real>(1.5)), now),
-                   hn::Mul(hn::Set(d, static_cast<Real>(0.5)), before));
+    const Vector before = hn::Load(d, v.increment);
+    const Vector w = NextIncrement(before, mobility, hn::Load(d, v.force));
+    hn::Store(w, d, v.increment);
+    hn::Store(hn::Add(hn::Load(d, v.displacement), w), d, v.displacement);
+    hn::Store(hn::Zero(d), d, v.force);
+    if constexpr (kExtrapolate) {
+        const Vector now = hn::Mul(hn::Set(d, static_cast<Real>(1.5)), w);
+        hn::Store(hn::Sub(now, hn::Mul(hn::Set(d, static_cast<Real>(0.5)), before)), d, v.extrapolated);
+    }
+    return hn::Lt(hn::Abs(w), limit);
 }
 
 template <bool kExtrapolate, class Real>
 HWY_INLINE void AdvanceLanes(Real* first, std::size_t stride, V<Real> limit, hn::Mask<D<Real>>& sane) {
-    const D<Real> d;
     const auto component = [&](std::size_t quantity) { return first + quantity * stride; };
-    const V<Real> mobility = hn::Load(d, component(Quantity::mobility));
+    const V<Real> mobility = hn::Load(D<Real>{}, component(Quantity::mobility));
     for (std::size_t i = 0; i < 3; ++i) {
-        Real* increment = component(Quantity::increment + i);
-        Real* displacement = component(Quantity::displacement + i);
-        Real* force = component(Quantity::force + i);
-        const V<Real> before = hn::Load(d, increment);
-        const V<Real> w = NextIncrement(before, mobility, hn::Load(d, force));
-        hn::Store(w, d, increment);
-        hn::Store(hn::Add(hn::Load(d, displacement), w), d, displacement);
-        hn::Store(hn::Zero(d), d, force);
-        if constexpr (kExtrapolate) {
-            hn::Store(Extrapolated(w, before), d, component(Quantity::extrapolated + i));
-        }
-        sane = hn::And(sane, hn::Lt(hn::Abs(w), limit));
+        const ComponentView<Real> v{component(Quantity::displacement + i), component(Quantity::increment + i),
+                                    component(Quantity::force + i),
+                                    kExtrapolate ? component(Quantity::extrapolated + i) : nullptr};
+        sane = hn::And(sane, AdvanceComponent<kExtrapolate>(v, mobility, limit));
     }
 }
 
@@ -61,23 +69,16 @@ HWY_INLINE bool AdvancePooled(const AdvanceView<Real>& v) {
     const hn::CappedTag<Real, Pooled::together> d;
     const auto limit = hn::Set(d, static_cast<Real>(v.longest_increment));
     auto sane = hn::Eq(limit, limit);
-    for (const PoolPlace first_place : v.pooled) {
-        for (PoolPlace place = first_place; place != PoolPlace{}; place = v.next_pooled[place.index()]) {
-            Real* const first = v.pool + place.index() * v.pool_stride;
-            const auto mobility = hn::Set(d, first[Pooled::mobility]);
-            for (std::size_t lane = 0; lane < Pooled::together; lane += hn::Lanes(d)) {
-                Real* const increment = first + Pooled::at(Quantity::increment) + lane;
-                Real* const displacement = first + Pooled::at(Quantity::displacement) + lane;
-                Real* const force = first + Pooled::at(Quantity::force) + lane;
-                const auto before = hn::Load(d, increment);
-                const auto w = NextIncrement(before, mobility, hn::Load(d, force));
-                hn::Store(w, d, increment);
-                hn::Store(hn::Add(hn::Load(d, displacement), w), d, displacement);
-                hn::Store(hn::Zero(d), d, force);
-                if constexpr (kExtrapolate) {
-                    hn::Store(Extrapolated(w, before), d, first + Pooled::at(Quantity::extrapolated) + lane);
-                }
-                sane = hn::And(sane, hn::Lt(hn::Abs(w), limit));
+    for (const PoolPlace first : v.pooled) {
+        for (PoolPlace place = first; place != PoolPlace{}; place = v.next_pooled[place.index()]) {
+            Real* const numbers = v.pool + place.index() * v.pool_stride;
+            const auto mobility = hn::Set(d, numbers[Pooled::mobility]);
+            for (std::size_t i = 0; i < Pooled::together; i += hn::Lanes(d)) {
+                const auto component = [&](std::size_t quantity) { return numbers + Pooled::at(quantity) + i; };
+                const ComponentView<Real> all{component(Quantity::displacement), component(Quantity::increment),
+                                              component(Quantity::force),
+                                              kExtrapolate ? component(Quantity::extrapolated) : nullptr};
+                sane = hn::And(sane, AdvanceComponent<kExtrapolate>(all, mobility, limit));
             }
         }
     }
@@ -157,7 +158,7 @@ double longest_increment(const Network& network) {
     return longest_increment_in_edges * std::max({edge.x, edge.y, edge.z});
 }
 
-/// With the bits of AdvanceLanes.
+/// With the bits of AdvanceComponent.
 void extrapolate(State& state, Slot s, Vec3 now, Vec3 before) {
     if (state.scheme == Scheme::ab2) {
         state.set_velocity_increment(s, state.motion.rounded(1.5 * now) - state.motion.rounded(0.5 * before));

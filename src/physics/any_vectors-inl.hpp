@@ -19,21 +19,24 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
+/// What the pool holds of the half batch of a site; null: nothing.
+template <class Real>
+HWY_INLINE const PooledCorners* PooledOf(const SweepView<Real>& v, std::size_t site) {
+    const std::int32_t index = v.pooled_of_half[site / Lattice::half];
+    return index < 0 ? nullptr : v.pooled + index;
+}
+
 /// Calls action(place, corner, lane) for the corners of the entities of a vector that are in the pool, those of a union by
 /// ascending masses.
 template <class Real, class Action>
 HWY_INLINE void ForEachPooled(const SweepView<Real>& v, std::size_t site, Action&& action) {
     constexpr std::size_t lanes = vector_lanes<Real>;
     for (std::size_t first = 0; first < lanes; first += Lattice::half) {
-        const std::int32_t index = v.pooled_of_half[(site + first) / Lattice::half];
-        if (index < 0) {
-            continue;
-        }
-        const PooledCorners& half = v.pooled[index];
-        for (std::size_t i = 0; i < half.count; ++i) {
-            const std::size_t lane = first + half.lane(i) - site % Lattice::half;
+        const PooledCorners* half = PooledOf(v, site + first);
+        for (std::size_t i = 0; half != nullptr && i < half->count; ++i) {
+            const std::size_t lane = first + half->lane(i) - site % Lattice::half;
             if (lanes >= Lattice::half || lane < lanes) {
-                action(half.place[i], half.corner(i), lane);
+                action(half->place[i], half->corner(i), lane);
             }
         }
     }
@@ -43,8 +46,8 @@ HWY_INLINE void ForEachPooled(const SweepView<Real>& v, std::size_t site, Action
 template <class Real>
 HWY_INLINE bool IsPooled(const SweepView<Real>& v, std::size_t site) {
     const auto is_pooled = [&](std::size_t at) {
-        const std::int32_t index = v.pooled_of_half[at / Lattice::half];
-        return index >= 0 && v.pooled[index].count == PooledCorners::most;
+        const PooledCorners* half = PooledOf(v, at);
+        return half != nullptr && half->count == PooledCorners::most;
     };
     return is_pooled(site) && (!is_whole_batch<Real> || is_pooled(site + Lattice::half));
 }
@@ -53,8 +56,8 @@ HWY_INLINE bool IsPooled(const SweepView<Real>& v, std::size_t site) {
 template <class Real>
 HWY_INLINE std::uint8_t LanesInBase(const SweepView<Real>& v, std::size_t site, std::size_t corner) {
     const auto of_half = [&](std::size_t at) -> unsigned {
-        const std::int32_t index = v.pooled_of_half[at / Lattice::half];
-        return index < 0 ? PooledCorners::all_lanes : v.pooled[index].in_base[corner];
+        const PooledCorners* half = PooledOf(v, at);
+        return half == nullptr ? PooledCorners::all_lanes : half->in_base[corner];
     };
     unsigned bits = of_half(site) >> site % Lattice::half;
     if constexpr (is_whole_batch<Real>) {
@@ -111,7 +114,7 @@ CRACKSIM_INLINE void AddToPool(const SweepView<Real>& v, std::size_t site, const
 template <std::size_t kSide, class Real>
 CRACKSIM_INLINE void AddSideInBase(const SweepView<Real>& v, std::size_t site, Forces<Real>& forces, RowRun<Real>& run,
                                    std::size_t at) {
-    const auto [lower, upper] = corners_of_side[kSide];
+    const auto [lower, upper] = Lattice::corners_of_side[kSide];
     const std::uint8_t lower_lanes = LanesInBase(v, site, lower);
     const std::uint8_t upper_lanes = LanesInBase(v, site, upper);
     if ((lower_lanes | upper_lanes) == 0) {

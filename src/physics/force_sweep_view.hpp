@@ -73,8 +73,8 @@ struct SweepView {
     Real* pool;
     std::size_t pool_stride;
     std::size_t velocity_quantity;
-    const std::int32_t*
-        pooled_of_half;  ///< [half of a batch]: index into pooled, -1 where all corners are in the base plane
+    /// [half of a batch]: index into pooled, -1 where all corners are in the base plane
+    const std::int32_t* pooled_of_half;
     const PooledCorners* pooled;
     const std::uint8_t* weights;   ///< [batch][row][lane]
     const std::uint32_t* carried;  ///< [half of a batch]

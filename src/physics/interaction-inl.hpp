@@ -384,9 +384,6 @@ HWY_NOINLINE void AddFar(const SweepView<Real>& v, unsigned carried, const From&
     AddCarried<true, kMeasure>(v, carried, from, weights, limits, forces, outcome);
 }
 
-/// The lower and the upper corner along x on each side of an entity.
-constexpr std::array<std::array<std::size_t, 2>, Lattice::sides> corners_of_side{{{0, 1}, {3, 2}, {4, 5}, {7, 6}}};
-
 }  // namespace cracksim::physics::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

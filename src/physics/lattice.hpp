@@ -26,6 +26,8 @@ public:
     static constexpr int half = lanes / 2;
     /// Vertex rows that a row of cells meets, by lower/upper y + 2 * lower/upper z.
     static constexpr std::size_t sides = 4;
+    /// The lower and the upper corner along x on each side of an entity.
+    static constexpr std::array<std::array<std::size_t, 2>, sides> corners_of_side{{{0, 1}, {3, 2}, {4, 5}, {7, 6}}};
     /// The corners that meet at a vertex, in ascending order of their entities.
     static constexpr std::array<int, Hexahedron::corners> ascending{6, 7, 5, 4, 2, 3, 1, 0};
 

@@ -11,8 +11,6 @@ namespace cracksim::physics {
 namespace {
 
 constexpr std::size_t lanes = Lattice::lanes;
-/// Of the pool, what it is given to grow into, and what may be out of order.
-constexpr std::size_t room_share = 8;
 
 /// In whole vectors, of doubles in whole cache lines, and so that the components of a vertex fall on different sets of the cache.
 std::size_t stride_for(std::size_t sites) {
@@ -44,17 +42,14 @@ void for_each_quantity(bool extrapolates, auto&& action) {
 
 template <class Real>
 void MotionNumbers<Real>::extend_pool(std::size_t numbers_of_union) {
-    const std::size_t size = pool_.size() + numbers_of_union;
-    if (size > pool_.capacity()) {
-        pool_.reserve(size + size / room_share);
-    }
-    pool_.resize(size, Real{0});
+    make_room(pool_, numbers_of_union);
+    pool_.resize(pool_.size() + numbers_of_union, Real{0});
 }
 
 template <class Real>
 void MotionNumbers<Real>::reorder_pool(std::size_t numbers_of_union, std::span<const PoolPlace> order) {
     std::vector<Real, LineAllocator<Real>> ordered;
-    ordered.reserve(pool_.size() + pool_.size() / room_share);
+    ordered.reserve(pool_.capacity());
     for (const PoolPlace place : order) {
         const auto from = pool_.cbegin() + static_cast<std::ptrdiff_t>(place.index() * numbers_of_union);
         ordered.insert(ordered.end(), from, from + static_cast<std::ptrdiff_t>(numbers_of_union));
@@ -84,7 +79,7 @@ void Motion::open(Slot s) {
     const std::size_t v = vertex_of(s).index();
     if (pooled_at_[v] < 0) {
         pooled_at_[v] = static_cast<std::int32_t>(places_.size());
-        make_room_for_one(places_);
+        make_room(places_, 1);
         places_.emplace_back();
     }
     PoolPlace& found = places_[static_cast<std::size_t>(pooled_at_[v])][static_cast<std::size_t>(plane_of(s))];
@@ -93,7 +88,7 @@ void Motion::open(Slot s) {
         std::visit([&](auto& numbers) { numbers.extend_pool(pool_stride_); }, numbers_);
         PoolPlace& first =
             first_pooled_[static_cast<std::size_t>(row_of_group_[v / lanes])][Lattice::side(plane_of(s))];
-        make_room_for_one(next_pooled_);
+        make_room(next_pooled_, 1);
         next_pooled_.push_back(std::exchange(first, found));
         ++disordered_;
     }
@@ -101,7 +96,7 @@ void Motion::open(Slot s) {
 
 bool Motion::is_disordered() const {
     constexpr std::size_t not_worth_it = 64;
-    return disordered_ > not_worth_it + next_pooled_.size() / room_share;
+    return disordered_ > not_worth_it + next_pooled_.size() / 8;
 }
 
 void Motion::order_pool(const Lattice& lattice) {

@@ -85,7 +85,7 @@ CRACKSIM_INLINE void AddAllPlain(const SweepView<Real>& v, RowRun<Real>& run, st
         V<Real> force[Hexahedron::corners];
         AddForces<axis>(all, force, list);
         ForEach<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
-            const auto [lower, upper] = corners_of_side[side];
+            const auto [lower, upper] = Lattice::corners_of_side[side];
             AddComponentToSide<side, axis>(v, force[lower], force[upper], run, at);
         });
     });

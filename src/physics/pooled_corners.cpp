@@ -9,39 +9,29 @@ namespace cracksim::physics {
 
 namespace {
 
-constexpr std::array<int, Hexahedron::corners> by_side = [] {
-    std::array<int, Hexahedron::corners> found{};
-    std::size_t count = 0;
-    for (std::size_t side = 0; side < Lattice::sides; ++side) {
-        for (const int along : {1, 0}) {
-            for (int corner = 0; corner < Hexahedron::corners; ++corner) {
-                if (Lattice::side(corner) == side && Lattice::along(corner) == along) {
-                    found[count++] = corner;
-                }
-            }
+/// Adds a corner of the entities of half a batch, as far as it is in the pool.
+void add_corner(const UnionTable& unions, const Motion& motion, std::size_t half, std::size_t corner,
+                PooledCorners& found) {
+    for (std::size_t lane = 0; lane < Lattice::half; ++lane) {
+        const LocalEntity e = unions.lattice().entity(Site{static_cast<std::int32_t>(half * Lattice::half + lane)});
+        const PoolPlace place =
+            e == LocalEntity{} ? PoolPlace{} : motion.pool_place(unions.slot(local_mass(e, static_cast<int>(corner))));
+        if (place == PoolPlace{}) {
+            continue;
         }
+        found.place[found.count] = place;
+        found.which[found.count] = static_cast<std::uint8_t>(Lattice::half * corner + lane);
+        ++found.count;
+        found.in_base[corner] = static_cast<std::uint8_t>(found.in_base[corner] & ~(1U << lane));
     }
-    return found;
-}();
+}
 
 PooledCorners find_in(const UnionTable& unions, const Motion& motion, std::size_t half) {
     PooledCorners found{};
     found.in_base.fill(PooledCorners::all_lanes);
-    for (const int corner : by_side) {
-        for (std::size_t lane = 0; lane < Lattice::half; ++lane) {
-            const LocalEntity e = unions.lattice().entity(Site{static_cast<std::int32_t>(half * Lattice::half + lane)});
-            const PoolPlace place =
-                e == LocalEntity{} ? PoolPlace{} : motion.pool_place(unions.slot(local_mass(e, corner)));
-            if (place == PoolPlace{}) {
-                continue;
-            }
-            found.place[found.count] = place;
-            found.which[found.count] =
-                static_cast<std::uint8_t>(Lattice::half * static_cast<std::size_t>(corner) + lane);
-            ++found.count;
-            std::uint8_t& in_base = found.in_base[static_cast<std::size_t>(corner)];
-            in_base = static_cast<std::uint8_t>(in_base & ~(1U << lane));
-        }
+    for (const auto& [lower, upper] : Lattice::corners_of_side) {
+        add_corner(unions, motion, half, upper, found);
+        add_corner(unions, motion, half, lower, found);
     }
     return found;
 }
@@ -77,7 +67,7 @@ void PooledHalves::update_half(const UnionTable& unions, const Motion& motion, s
     std::int32_t& index = index_[half];
     if (index < 0 && found.count > 0) {
         index = static_cast<std::int32_t>(halves_.size());
-        make_room_for_one(halves_);
+        make_room(halves_, 1);
         halves_.emplace_back();
     }
     if (index >= 0) {

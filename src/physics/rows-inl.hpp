@@ -95,8 +95,8 @@ CRACKSIM_INLINE void AddComponentToSide(const SweepView<Real>& v, V<Real> lower,
 
 template <std::size_t kSide, class Real>
 CRACKSIM_INLINE void AddSide(const SweepView<Real>& v, const Forces<Real>& forces, RowRun<Real>& run, std::size_t at) {
-    const V3<Real>& lower = forces.f[corners_of_side[kSide][0]];
-    const V3<Real>& upper = forces.f[corners_of_side[kSide][1]];
+    const V3<Real>& lower = forces.f[Lattice::corners_of_side[kSide][0]];
+    const V3<Real>& upper = forces.f[Lattice::corners_of_side[kSide][1]];
     AddComponentToSide<kSide, 0>(v, lower.x, upper.x, run, at);
     AddComponentToSide<kSide, 1>(v, lower.y, upper.y, run, at);
     AddComponentToSide<kSide, 2>(v, lower.z, upper.z, run, at);

@@ -28,8 +28,8 @@ struct Sensing {
     /// or the entity does not carry the edge.
     std::vector<UpperHalf> limit;
     std::vector<EdgeBits> exceeded;  ///< [batch]: edges stretched beyond their limits; written by the sweep
-    std::vector<Revision>
-        revision;  ///< by vertex: rises when sensors at its edges, or what they reach over, become others
+    /// By vertex: rises when sensors at its edges, or what they reach over, become others
+    std::vector<Revision> revision;
 
     [[nodiscard]] bool is_active(LocalDuplet d) const {
         return ((static_cast<unsigned>(active[d.index() / Network::duplets_per_interface]) >>

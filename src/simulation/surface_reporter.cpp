@@ -1,6 +1,5 @@
 #include "simulation/surface_reporter.hpp"
 
-#include <algorithm>
 #include <span>
 #include <utility>
 

@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "physics/force_sweep.hpp"
 #include "physics/split.hpp"
+#include "support/all_duplets.hpp"
 #include "support/precisions.hpp"
 #include "support/random_state.hpp"
 #include "support/serial_network.hpp"
@@ -110,11 +110,9 @@ TEST(Advance, NotesTheFirstUnionThatMakesNoSense) {
 State cracked_state(const Network& network, Precision precision) {
     State state{network, Scheme::ab2, 0.3, precision};
     std::vector<LocalDuplet> inactive;
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interfaces().size()); ++i) {
-        for (int k = 0; k < Network::duplets_per_interface; ++k) {
-            if ((i + k) % 3 != 0) {
-                inactive.emplace_back(i * Network::duplets_per_interface + k);
-            }
+    for (const LocalDuplet d : test::all_duplets(network)) {
+        if (d.value() % 3 != 0) {
+            inactive.push_back(d);
         }
     }
     SplitStream splits;

@@ -11,6 +11,7 @@
 
 #include "physics/split.hpp"
 #include "physics/state.hpp"
+#include "support/all_duplets.hpp"
 #include "support/serial_network.hpp"
 
 namespace cracksim::physics {
@@ -93,12 +94,7 @@ TEST(PooledCorners, FollowTheUnionsWhileTheyFallApart) {
     constexpr std::uint32_t seed = 20261126;
     SCOPED_TRACE(seed);
     std::mt19937 draw{seed};
-    std::vector<LocalDuplet> duplets;
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interfaces().size()); ++i) {
-        for (int k = 0; k < Network::duplets_per_interface; ++k) {
-            duplets.emplace_back(i * Network::duplets_per_interface + k);
-        }
-    }
+    std::vector<LocalDuplet> duplets = test::all_duplets(network);
     std::ranges::shuffle(duplets, draw);
     SplitStream splits;
     const std::size_t at_once = duplets.size() / 12;

@@ -9,6 +9,7 @@
 
 #include "core/block.hpp"
 #include "core/id_array.hpp"
+#include "core/sorted.hpp"
 #include "physics/events.hpp"
 #include "topology/construct.hpp"
 #include "topology/gmap.hpp"
@@ -131,8 +132,7 @@ inline PretendRank pretend_rank(const Block& block, const std::vector<std::size_
             local.insert(local.end(), around.begin(), around.end());
         }
     }
-    std::sort(local.begin(), local.end());
-    local.erase(std::unique(local.begin(), local.end()), local.end());
+    sort_and_make_unique(local);
     std::vector<std::uint8_t> owned;
     for (const EntityId e : local) {
         owned.push_back(rank_of[e.index()] == rank ? 1 : 0);
