@@ -235,14 +235,20 @@ public:
     [[nodiscard]] bool broken() const { return broken_; }
 
 private:
+    /// The planes of a row's unions in the pool whose smallest masses are corners on a side; none where there are no unions.
+    [[nodiscard]] unsigned planes_in_pool(std::size_t row, std::size_t side) const {
+        const bool any = state_->motion.first_pooled(row, side) != PoolPlace{};
+        return any ? planes_by_side[side] & ~bit_of(base_plane) : 0U;
+    }
+
     /// The planes of a row of vertices to be advanced for a row of entities that has it on a side.
     [[nodiscard]] unsigned met_first(std::size_t row, std::size_t cell_row, std::size_t side) const {
         const Lattice::VertexRow& vertices = state_->lattice().vertex_rows()[row];
-        unsigned first = planes_by_side[side] & ~bit_of(base_plane);
+        unsigned first = planes_in_pool(row, side);
         if (static_cast<std::size_t>(vertices.first_cell_row()) == cell_row) {
             first |= bit_of(base_plane);
             for (std::size_t other = 0; other < Lattice::sides; ++other) {
-                first |= vertices.cell_row[other] < 0 ? planes_by_side[other] : 0U;
+                first |= vertices.cell_row[other] < 0 ? planes_in_pool(row, other) : 0U;
             }
         }
         return first;
