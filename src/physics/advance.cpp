@@ -302,12 +302,11 @@ private:
             }
         }
     }
-    /// Calls action(slot, increment) for the received masses of some planes.
+    /// Calls action(slot, increment) for the received unions of some planes.
     void for_each_received(std::size_t row, unsigned met, auto&& action) {
-        for (const std::size_t i : state_->received_in_row[row]) {
-            const Slot slot = state_->unions.slot(network_->received()[i]);
+        for (const auto& [slot, mass] : state_->received.in_row(row)) {
             if ((met & bit_of(plane_of(slot))) != 0) {
-                action(slot, received_[i].increment);
+                action(slot, received_[mass].increment);
             }
         }
     }
@@ -442,6 +441,7 @@ void set_received_labels(const Network& network, State& state, std::span<const N
     }
     sort_and_make_unique(changed);
     state.update_unions(changed);
+    state.received.update(network, state.unions, changed);
     update_sensing(network, changed, state);
 }
 

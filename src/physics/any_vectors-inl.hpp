@@ -131,7 +131,7 @@ template <bool kMeasure, class From, class Real>
 CRACKSIM_INLINE void AddInteractions(const SweepView<Real>& v, std::size_t site, unsigned carried, const From& from,
                                      Forces<Real>& forces, Outcome<Real>& outcome) {
     const std::uint8_t* weights = WeightsOf(v, site);
-    const UpperHalf* limits = LimitsOf(v, site);
+    const LimitsHere limits = LimitsOf(v, site);
     AddCarried<false, kMeasure>(v, carried, from, weights, limits, forces, outcome);
     if (IsFar(outcome)) {
         AddFar<kMeasure>(v, carried, from, weights, limits, forces, outcome);
@@ -146,7 +146,7 @@ HWY_NOINLINE void SweepBase(SweepView<Real>& v, const RowView& row, RowRun<Real>
     Outcome<Real> outcome;
     AddInteractions<kMeasure>(v, row.first_site + at, carried, PlainCornersAt(v, run, at), forces, outcome);
     AddSides(v, forces, run, at);
-    Collect<kMeasure>(v, outcome, row.first_site + at, sums);
+    Collect<kMeasure>(v, outcome, OwnedOf(v, row.first_site + at), row.first_site + at, sums);
 }
 
 /// The same in any state of their unions.
@@ -164,14 +164,14 @@ HWY_NOINLINE void SweepSplit(SweepView<Real>& v, const RowView& row, RowRun<Real
     AddSideInBase<1>(v, site, forces, run, at);
     AddSideInBase<2>(v, site, forces, run, at);
     AddSideInBase<3>(v, site, forces, run, at);
-    Collect<kMeasure>(v, outcome, site, sums);
+    Collect<kMeasure>(v, outcome, OwnedOf(v, site), site, sums);
 }
 
 template <bool kMeasure, class Real>
 CRACKSIM_INLINE void SweepAny(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
                               RowSums<Real>& sums) {
     const std::size_t site = row.first_site + at;
-    const unsigned carried = CarriedBy(v, site) & ~(1U << Merging::full);
+    const unsigned carried = CarriedBy(v, site) & ~Merging::properties;
     if (carried == 0) {
         Deliver(v, run, at);
     } else if (IsBase(v, site)) {

@@ -8,7 +8,7 @@ namespace {
 Vec3 centred_increment(const State& state, Slot s) {
     const Vec3 half_kick = 0.5 * state.mobility(s) * state.force(s);
     Vec3 increment = state.increment(s);
-    const auto held = state.held_of_slot.find(s);
+    const auto held = state.held.empty() ? state.held_of_slot.end() : state.held_of_slot.find(s);
     for (int axis = 0; axis < 3; ++axis) {
         const bool is_held =
             held != state.held_of_slot.end() && state.held[held->second].support[static_cast<std::size_t>(axis)] >= 0;

@@ -30,7 +30,8 @@ SweepView<Real> inputs_of(const Network& network, const State& state) {
     v.pooled = state.pooled.halves();
     v.weights = state.merging.weights();
     v.carried = state.merging.carried();
-    v.limits = state.sensing.limit.data();
+    v.limits = state.sensing.limits.by_edge();
+    v.lowest_limit = state.sensing.limits.lowest();
     return v;
 }
 

@@ -76,12 +76,13 @@ struct SweepView {
     /// [half of a batch]: index into pooled, -1 where all corners are in the base plane
     const std::int32_t* pooled_of_half;
     const PooledCorners* pooled;
-    const std::uint8_t* weights;   ///< [batch][row][lane]
-    const std::uint32_t* carried;  ///< [half of a batch]
-    const UpperHalf* limits;       ///< [batch][edge][lane]
-    EdgeBits* exceeded;            ///< [batch]: edges stretched beyond their limit
-    double dissipated;             ///< out: sum of (z/dt) (dw.n)^2, J
-    double elastic;                ///< out: sum of k e^2 / 2, J
+    const std::uint8_t* weights;    ///< [batch][row][lane]
+    const std::uint32_t* carried;   ///< [half of a batch] (merging.hpp)
+    const UpperHalf* limits;        ///< [batch][edge][lane]
+    const UpperHalf* lowest_limit;  ///< [half of a batch]
+    EdgeBits* exceeded;             ///< [batch]: edges stretched beyond their limit
+    double dissipated;              ///< out: sum of (z/dt) (dw.n)^2, J
+    double elastic;                 ///< out: sum of k e^2 / 2, J
 };
 
 /// Some entities, wherever they are: [component][corner][lane]; in: u and what damping takes for w, m; out: forces, N.

@@ -15,6 +15,7 @@
 #include <iterator>
 #include <utility>
 
+#include "physics/edge_limits.hpp"
 #include "physics/force_sweep_view.hpp"
 #include "physics/merging.hpp"
 #include "physics/vectors-inl.hpp"
@@ -39,6 +40,7 @@ struct Outcome {
     V<Real> dissipated;
     V<Real> elastic;
     V<Real> farthest;                           ///< largest |extension - Series::centre|
+    bool any_exceeded;                          ///< false: no edge is stretched beyond its limit
     unsigned exceeded[HexahedronPairs::edges];  ///< by edge, a bit a lane
 };
 
@@ -142,11 +144,10 @@ HWY_INLINE V<Real> SquaredStretch(V<Real> x, const Ratio<Real>& ratio) {
     return hn::IfThenElse(vanished, Same<Real>(1.0), hn::Mul(g2, squared));
 }
 
-/// Completes the extension of interaction I, and finds what decides about sensing and about the range of the series. kPlain: no entity
-/// is void, so all ends are its corners.
+/// Completes the extension of interaction I, and finds what decides about the range of the series. kPlain: no entity is void, so all
+/// ends are its corners.
 template <std::size_t I, bool kPlain, bool kFar, class Real>
-CRACKSIM_INLINE void Complete(const InteractionConstants<Real>& c, const UpperHalf* limits, Interactions<Real>& all,
-                              Outcome<Real>& sums) {
+CRACKSIM_INLINE void Complete(const InteractionConstants<Real>& c, Interactions<Real>& all, Outcome<Real>& sums) {
     V<Real>& extension = all.extension[I];
     extension = hn::Mul(Same<Real>(c.inverse_squared_length), extension);
     if constexpr (!kPlain) {
@@ -158,8 +159,36 @@ CRACKSIM_INLINE void Complete(const InteractionConstants<Real>& c, const UpperHa
     if constexpr (!kFar) {
         sums.farthest = hn::Max(sums.farthest, hn::Abs(hn::Sub(extension, Same<Real>(Series::centre))));
     }
-    if constexpr (I < HexahedronPairs::edges) {
-        sums.exceeded[I] = Bits<Real>(hn::Gt(extension, FromUpperHalves<Real>(limits + I * Lattice::lanes)));
+}
+
+/// Sensing's limits of a vector's entities, by edge, and what none of them is below.
+struct LimitsHere {
+    const UpperHalf* by_edge;  ///< [edge][lane]
+    float lowest;
+};
+
+/// Which edges of the list are stretched beyond their limits. kMostlyNone: the limits by edge need not come to the caches; else a branch
+/// takes longer than to look.
+template <bool kMostlyNone, class Real, std::size_t... I>
+CRACKSIM_INLINE void FindExceeded(const LimitsHere& limits, const Interactions<Real>& all, Outcome<Real>& outcome,
+                                  std::index_sequence<I...>) {
+    constexpr std::array<std::size_t, sizeof...(I)> numbers{I...};
+    if constexpr (numbers[0] < HexahedronPairs::edges) {
+        if constexpr (kMostlyNone) {
+            V<Real> longest = all.extension[numbers[0]];
+            ((longest = I < HexahedronPairs::edges ? hn::Max(longest, all.extension[I]) : longest), ...);
+            if (hn::AllFalse(D<Real>{}, hn::Gt(longest, Same<Real>(static_cast<double>(limits.lowest))))) {
+                return;
+            }
+        }
+        ForEach<sizeof...(I)>([&](auto i) CRACKSIM_INLINE_LAMBDA {
+            constexpr std::size_t edge = numbers[i];
+            if constexpr (edge < HexahedronPairs::edges) {
+                const V<Real> limit = FromUpperHalves<Real>(limits.by_edge + edge * Lattice::lanes);
+                outcome.exceeded[edge] = Bits<Real>(hn::Gt(all.extension[edge], limit));
+            }
+        });
+        outcome.any_exceeded = true;
     }
 }
 
@@ -213,7 +242,7 @@ template <class Real>
 HWY_INLINE Outcome<Real> Nothing() {
     const D<Real> d;
     const V<Real> zero = hn::Zero(d);
-    return {zero, zero, zero, {}};
+    return {zero, zero, zero, false, {}};
 }
 
 template <class Real>
@@ -221,14 +250,21 @@ HWY_INLINE V<Real> Weight(const std::uint8_t* weights, std::size_t interaction) 
     return FromBytes<Real>(weights + interaction * Lattice::lanes);
 }
 
-/// [row][lane] and [edge][lane] from the lane of a site on.
+/// [row][lane] from the lane of a site on.
 template <class Real>
 HWY_INLINE const std::uint8_t* WeightsOf(const SweepView<Real>& v, std::size_t site) {
     return v.weights + site / Lattice::lanes * Merging::bytes_per_batch + site % Lattice::lanes;
 }
 template <class Real>
-HWY_INLINE const UpperHalf* LimitsOf(const SweepView<Real>& v, std::size_t site) {
-    return v.limits + site / Lattice::lanes * (HexahedronPairs::edges * Lattice::lanes) + site % Lattice::lanes;
+HWY_INLINE V<Real> OwnedOf(const SweepView<Real>& v, std::size_t site) {
+    return Weight<Real>(WeightsOf(v, site), Merging::owned_row);
+}
+
+template <class Real>
+HWY_INLINE LimitsHere LimitsOf(const SweepView<Real>& v, std::size_t site) {
+    const UpperHalf* half = v.lowest_limit + site / Lattice::half;
+    const float lowest = is_whole_batch<Real> ? std::min(half[0].value(), half[1].value()) : half[0].value();
+    return {v.limits + site / Lattice::lanes * EdgeLimits::of_batch + site % Lattice::lanes, lowest};
 }
 
 template <class Real>
@@ -244,13 +280,16 @@ struct RowSums {
     V<Real> elastic;
 };
 
-/// What a vector of entities found, the first of them at a site.
+/// What a vector of entities found, the first of them at a site. owned: 1 for this rank's, 0 for others.
 template <bool kMeasure, class Real>
-HWY_INLINE void Collect(SweepView<Real>& v, const Outcome<Real>& outcome, std::size_t site, RowSums<Real>& sums) {
-    const V<Real> owned = Weight<Real>(WeightsOf(v, site), HexahedronPairs::count);
+HWY_INLINE void Collect(SweepView<Real>& v, const Outcome<Real>& outcome, V<Real> owned, std::size_t site,
+                        RowSums<Real>& sums) {
     sums.dissipated = hn::MulAdd(owned, outcome.dissipated, sums.dissipated);
     if constexpr (kMeasure) {
         sums.elastic = hn::MulAdd(owned, outcome.elastic, sums.elastic);
+    }
+    if (!outcome.any_exceeded) {
+        return;
     }
     EdgeBits found{};
     for (std::size_t edge = 0; edge < HexahedronPairs::edges; ++edge) {
@@ -264,9 +303,6 @@ template <class Real>
 struct Forces {
     V3<Real> f[Hexahedron::corners];
 };
-
-template <class Real>
-constexpr std::size_t vector_lanes = hn::MaxLanes(D<Real>{});
 
 /// Displacements of some entities' corners, and what damping takes for their increments, put together.
 template <class Real>
@@ -316,13 +352,14 @@ CRACKSIM_INLINE void AddComponents(const SweepView<Real>& v, const From& from, I
 }
 
 /// Some interactions of entities whose corners' motions are found in `from`; all.weight is known.
-template <bool kPlain, bool kFar, bool kMeasure, class From, class Real, std::size_t... I>
-CRACKSIM_INLINE void FindStretches(const SweepView<Real>& v, const From& from, const UpperHalf* limits,
+template <bool kPlain, bool kMostlyNone, bool kFar, bool kMeasure, class From, class Real, std::size_t... I>
+CRACKSIM_INLINE void FindStretches(const SweepView<Real>& v, const From& from, const LimitsHere& limits,
                                    Interactions<Real>& all, Outcome<Real>& outcome, std::index_sequence<I...> list) {
     AddComponents<0>(v, from, all, list);
     AddComponents<1>(v, from, all, list);
     AddComponents<2>(v, from, all, list);
-    (Complete<I, kPlain, kFar>(v.interaction[I], limits, all, outcome), ...);
+    (Complete<I, kPlain, kFar>(v.interaction[I], all, outcome), ...);
+    FindExceeded<kMostlyNone>(limits, all, outcome, list);
     FindFactors<kFar, kMeasure>(v, all, outcome, list);
 }
 
@@ -349,11 +386,11 @@ using Kind = std::index_sequence<size_of_kind * kKind, size_of_kind * kKind + 1,
 /// Four interactions: the edges along an axis, or the diagonals. If none of them is carried, they are left out.
 template <std::size_t kKind, bool kFar, bool kMeasure, class From, class Real, std::size_t... I>
 CRACKSIM_INLINE void FindKind(const SweepView<Real>& v, unsigned carried, const From& from, const std::uint8_t* weights,
-                              const UpperHalf* limits, Interactions<Real>& all, Outcome<Real>& outcome,
+                              const LimitsHere& limits, Interactions<Real>& all, Outcome<Real>& outcome,
                               std::index_sequence<I...> list) {
     if ((carried & ((1U << I) | ...)) != 0) {
         ((all.weight[I] = Weight<Real>(weights, I)), ...);
-        FindStretches<false, kFar, kMeasure>(v, from, limits, all, outcome, list);
+        FindStretches<false, false, kFar, kMeasure>(v, from, limits, all, outcome, list);
         return;
     }
     const V<Real> zero = hn::Zero(D<Real>{});
@@ -363,7 +400,7 @@ CRACKSIM_INLINE void FindKind(const SweepView<Real>& v, unsigned carried, const 
 /// All 16 interactions, weighted by how many entities' they are.
 template <bool kFar, bool kMeasure, class From, class Real>
 CRACKSIM_INLINE void AddCarried(const SweepView<Real>& v, unsigned carried, const From& from,
-                                const std::uint8_t* weights, const UpperHalf* limits, Forces<Real>& forces,
+                                const std::uint8_t* weights, const LimitsHere& limits, Forces<Real>& forces,
                                 Outcome<Real>& outcome) {
     outcome = Nothing<Real>();
     Interactions<Real> all;
@@ -380,7 +417,7 @@ CRACKSIM_INLINE void AddCarried(const SweepView<Real>& v, unsigned carried, cons
 /// In case of large stretches, the same with what holds everywhere.
 template <bool kMeasure, class From, class Real>
 HWY_NOINLINE void AddFar(const SweepView<Real>& v, unsigned carried, const From& from, const std::uint8_t* weights,
-                         const UpperHalf* limits, Forces<Real>& forces, Outcome<Real>& outcome) {
+                         const LimitsHere& limits, Forces<Real>& forces, Outcome<Real>& outcome) {
     AddCarried<true, kMeasure>(v, carried, from, weights, limits, forces, outcome);
 }
 

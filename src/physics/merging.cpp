@@ -41,11 +41,26 @@ void Merging::find_full_halves() {
     for (std::size_t half = 0; half < carried_.size(); ++half) {
         bool all = true;
         for (std::size_t row = HexahedronPairs::edges; row < HexahedronPairs::count; ++row) {
-            const auto lanes = lanes_of(half, row);
-            all = all && std::all_of(lanes, lanes + Lattice::half, [](std::uint8_t w) { return w == 1; });
+            all = all && all_weigh(half, row, 1);
         }
         carried_[half] |= all ? 1U << full : 0U;
     }
+}
+
+bool Merging::all_weigh(std::size_t half, std::size_t row, std::uint8_t weight) const {
+    const auto lanes = lanes_of(half, row);
+    return std::all_of(lanes, lanes + Lattice::half, [&](std::uint8_t w) { return w == weight; });
+}
+
+void Merging::find_inside(std::size_t half) {
+    constexpr unsigned bit = 1U << inside;
+    std::uint32_t& carried = carried_[half];
+    carried &= ~bit;
+    bool is_inside = carried == (inside_list | 1U << full);
+    for (std::size_t row = 0; is_inside && row < rows; ++row) {
+        is_inside = all_weigh(half, row, inside_weights[row]);
+    }
+    carried |= is_inside ? bit : 0U;
 }
 
 void Merging::set_weight(const UnionTable& unions, LocalEntity e, int interaction, int weight) {
@@ -56,6 +71,7 @@ void Merging::set_weight(const UnionTable& unions, LocalEntity e, int interactio
     const bool any = std::any_of(lanes, lanes + Lattice::half, [](std::uint8_t w) { return w != 0; });
     const unsigned bit = 1U << row;
     carried_[half] = any ? carried_[half] | bit : carried_[half] & ~bit;
+    find_inside(half);
 }
 
 void Merging::update_edge(const UnionTable& unions, VertexSite lower, int axis) {

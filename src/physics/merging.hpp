@@ -70,10 +70,23 @@ public:
 
     /// [batch][row][lane]
     [[nodiscard]] const std::uint8_t* weights() const { return weight_.data(); }
-    /// [half of a batch]: bit i is set where some entity carries interaction i, bit `full` where no lane is void and all diagonals
-    /// are carried.
+    /// [half of a batch]: bit i is set where some entity carries interaction i; bit `full` where no lane is void and all diagonals
+    /// are carried; bit `inside` where besides all carry just what entities inside an intact block do, and are this rank's.
     [[nodiscard]] const std::uint32_t* carried() const { return carried_.data(); }
     static constexpr unsigned full = HexahedronPairs::count;
+    static constexpr unsigned inside = full + 1;
+    static constexpr unsigned properties = 1U << full | 1U << inside;
+    /// What entities inside an intact block carry: the edges at their corner 6, each for the four that share it, and their diagonals.
+    static constexpr unsigned inside_list = 1U << 3U | 1U << 7U | 1U << 10U | 0xfU << unsigned{HexahedronPairs::edges};
+    /// [row]
+    static constexpr std::array<std::uint8_t, rows> inside_weights = [] {
+        std::array<std::uint8_t, rows> weights{};
+        for (std::size_t row = 0; row < rows; ++row) {
+            const bool is_edge = row < HexahedronPairs::edges;
+            weights[row] = is_edge ? (inside_list >> row & 1U) * 4 : 1;
+        }
+        return weights;
+    }();
 
     [[nodiscard]] std::size_t memory_bytes() const {
         return weight_.capacity() + carried_.capacity() * sizeof(std::uint32_t);
@@ -92,6 +105,9 @@ private:
     }
     void set_weight(const UnionTable& unions, LocalEntity e, int interaction, int weight);
     void find_full_halves();
+    void find_inside(std::size_t half);
+    /// All lanes of half a batch have this weight.
+    [[nodiscard]] bool all_weigh(std::size_t half, std::size_t row, std::uint8_t weight) const;
     void update_edge(const UnionTable& unions, VertexSite lower, int axis);
 
     std::vector<std::uint8_t> weight_;

@@ -18,11 +18,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
+template <std::size_t... I>
+constexpr unsigned mask_of(std::index_sequence<I...>) {
+    return ((1U << I) | ...);
+}
+
 /// What entities of an intact block carry: inside, the edges at their corner 6 and their diagonals; two edges more at the start of a
 /// row, and in the lowest layer.
 using InsideRow = std::index_sequence<3, 7, 10, 12, 13, 14, 15>;
 using StartOfRow = std::index_sequence<3, 6, 7, 10, 11, 12, 13, 14, 15>;
 using LowestLayer = std::index_sequence<1, 3, 5, 7, 10, 12, 13, 14, 15>;
+static_assert(mask_of(InsideRow{}) == Merging::inside_list);
 
 /// Entities whose corners are all in the base plane: they are loaded where they are needed, for there are too many to be kept in
 /// registers.
@@ -59,22 +65,29 @@ HWY_INLINE PlainCorners<Real> PlainCornersAt(const SweepView<Real>& v, const Row
             v.velocity_quantity * v.base_stride};
 }
 
-template <std::size_t... I>
-constexpr unsigned mask_of(std::index_sequence<I...>) {
-    return ((1U << I) | ...);
+/// What is known of the weights of a vector's entities: nothing, or a property of merging.hpp.
+enum class Weights { any, full, inside };
+
+template <Weights kKnown, std::size_t I, class Real>
+HWY_INLINE V<Real> PlainWeight(const std::uint8_t* weights) {
+    constexpr bool is_diagonal = I >= HexahedronPairs::edges && I < HexahedronPairs::count;
+    if constexpr (kKnown == Weights::inside || (kKnown == Weights::full && is_diagonal)) {
+        return Same<Real>(Merging::inside_weights[I]);
+    } else {
+        return Weight<Real>(weights, I);
+    }
 }
 
-/// kFull: no lane is void.
-template <bool kFull, bool kMeasure, class Real, std::size_t... I>
+template <Weights kKnown, bool kMeasure, class Real, std::size_t... I>
 CRACKSIM_INLINE void AddAllPlain(const SweepView<Real>& v, RowRun<Real>& run, std::size_t at,
-                                 const std::uint8_t* weights, const UpperHalf* limits, Outcome<Real>& outcome,
+                                 const std::uint8_t* weights, const LimitsHere& limits, Outcome<Real>& outcome,
                                  std::index_sequence<I...> list) {
     constexpr unsigned carried = mask_of(list);
-    constexpr bool all_weigh = kFull && carried == mask_of(InsideRow{});
+    constexpr bool all_weigh = kKnown != Weights::any && carried == Merging::inside_list;
     const PlainCorners<Real> x = PlainCornersAt(v, run, at);
     Interactions<Real> all;
-    ((all.weight[I] = kFull && I >= HexahedronPairs::edges ? Same<Real>(1.0) : Weight<Real>(weights, I)), ...);
-    FindStretches<all_weigh, false, kMeasure>(v, x, limits, all, outcome, list);
+    ((all.weight[I] = PlainWeight<kKnown, I, Real>(weights)), ...);
+    FindStretches<all_weigh, true, false, kMeasure>(v, x, limits, all, outcome, list);
     if (IsFar(outcome)) {
         Forces<Real> forces;
         AddFar<kMeasure>(v, carried, x, weights, limits, forces, outcome);
@@ -93,14 +106,15 @@ CRACKSIM_INLINE void AddAllPlain(const SweepView<Real>& v, RowRun<Real>& run, st
 }
 
 /// Consecutive vectors of a row with a known list of interactions, from the place `at` to `end`.
-template <class List, bool kFull, bool kMeasure, class Real>
+template <class List, Weights kKnown, bool kMeasure, class Real>
 HWY_NOINLINE void SweepPlain(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at, std::size_t end,
                              RowSums<Real>& sums) {
     for (; at < end; at += vector_lanes<Real>) {
         const std::size_t site = row.first_site + at;
         Outcome<Real> outcome = Nothing<Real>();
-        AddAllPlain<kFull, kMeasure>(v, run, at, WeightsOf(v, site), LimitsOf(v, site), outcome, List{});
-        Collect<kMeasure>(v, outcome, site, sums);
+        const std::uint8_t* weights = WeightsOf(v, site);
+        AddAllPlain<kKnown, kMeasure>(v, run, at, weights, LimitsOf(v, site), outcome, List{});
+        Collect<kMeasure>(v, outcome, PlainWeight<kKnown, Merging::owned_row, Real>(weights), site, sums);
     }
 }
 
@@ -110,15 +124,20 @@ HWY_INLINE bool SweepPlain(unsigned list, SweepView<Real>& v, const RowView& row
                            std::size_t end, RowSums<Real>& sums) {
     constexpr unsigned full = 1U << Merging::full;
     switch (list) {
-        case mask_of(InsideRow{}) | full:
-            SweepPlain<InsideRow, true, kMeasure>(v, row, run, at, end, sums);
+        case mask_of(InsideRow{}) | Merging::properties:
+            SweepPlain<InsideRow, Weights::inside, kMeasure>(v, row, run, at, end, sums);
             return true;
-        case mask_of(InsideRow{}): SweepPlain<InsideRow, false, kMeasure>(v, row, run, at, end, sums); return true;
+        case mask_of(InsideRow{}) | full:
+            SweepPlain<InsideRow, Weights::full, kMeasure>(v, row, run, at, end, sums);
+            return true;
+        case mask_of(InsideRow{}):
+            SweepPlain<InsideRow, Weights::any, kMeasure>(v, row, run, at, end, sums);
+            return true;
         case mask_of(StartOfRow{}) | full:
-            SweepPlain<StartOfRow, true, kMeasure>(v, row, run, at, end, sums);
+            SweepPlain<StartOfRow, Weights::full, kMeasure>(v, row, run, at, end, sums);
             return true;
         case mask_of(LowestLayer{}) | full:
-            SweepPlain<LowestLayer, true, kMeasure>(v, row, run, at, end, sums);
+            SweepPlain<LowestLayer, Weights::full, kMeasure>(v, row, run, at, end, sums);
             return true;
         default: return false;
     }

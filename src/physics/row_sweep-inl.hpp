@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 
 #include "physics/any_vectors-inl.hpp"
 #include "physics/plain_vectors-inl.hpp"
@@ -64,7 +65,8 @@ void SweepEntities(const SweepView<Real>& v, GatheredEntities<Real>& entities) {
     const D<Real> d;
     std::uint8_t ones[Merging::bytes_per_batch];
     std::fill(std::begin(ones), std::end(ones), std::uint8_t{1});
-    constexpr UpperHalf limits[HexahedronPairs::edges * Lattice::lanes] = {};
+    constexpr UpperHalf any[EdgeLimits::of_batch] = {};
+    const LimitsHere limits{any, std::numeric_limits<float>::infinity()};
     constexpr std::size_t stride = Hexahedron::corners * Lattice::lanes;
     for (std::size_t lane = 0; lane < Lattice::lanes; lane += hn::Lanes(d)) {
         Assembled<Real> assembled;

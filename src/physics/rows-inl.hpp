@@ -17,20 +17,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-// A vector takes half a batch, all of it, or less than half: what is known of the halves that it meets.
-template <class Real>
-constexpr bool is_whole_batch = vector_lanes<Real> == Lattice::lanes;
-template <class Real>
-constexpr bool is_known = vector_lanes<Real> <= Lattice::half || is_whole_batch<Real>;
-static_assert(is_known<double> && is_known<float>);
-
-/// What some entity of the vector carries, and Merging::full if all of its halves have that.
+/// What some entity of the vector carries, and of Merging's properties those that all of its halves have.
 template <class Real>
 HWY_INLINE unsigned CarriedBy(const SweepView<Real>& v, std::size_t site) {
     const std::uint32_t* half = v.carried + site / Lattice::half;
     if constexpr (is_whole_batch<Real>) {
-        constexpr unsigned full = 1U << Merging::full;
-        return ((half[0] | half[1]) & ~full) | (half[0] & half[1] & full);
+        return ((half[0] | half[1]) & ~Merging::properties) | (half[0] & half[1] & Merging::properties);
     } else {
         return half[0];
     }

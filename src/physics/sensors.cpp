@@ -203,10 +203,9 @@ void set_sensing_limits(const Network& network, VertexSite lower, int axis, Stat
                 lowest = std::min(lowest, network.threshold(d));
             });
         }
-        const std::size_t site = state.lattice().site(copy.entity).index();
-        const std::size_t row = site / Lattice::lanes * HexahedronPairs::edges + static_cast<std::size_t>(copy.edge);
-        state.sensing.limit[row * Lattice::lanes + site % Lattice::lanes] =
-            UpperHalf::not_above(rounded_down(extension_limit(lowest, state.motion.precision())));
+        const double limit = extension_limit(lowest, state.motion.precision());
+        state.sensing.limits.set(state.lattice().site(copy.entity), copy.edge,
+                                 UpperHalf::not_above(rounded_down(limit)));
     }
 }
 

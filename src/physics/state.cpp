@@ -9,11 +9,10 @@ namespace cracksim::physics {
 namespace {
 
 Sensing all_active(const Network& network, const Lattice& lattice) {
-    Sensing sensing;
+    Sensing sensing{{}, EdgeLimits{lattice}, {}, {}};
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interfaces().size()); ++i) {
         sensing.active.push_back(network.touched_duplets(i));
     }
-    sensing.limit.assign(lattice.batches() * HexahedronPairs::edges * Lattice::lanes, UpperHalf::infinity());
     sensing.exceeded.assign(lattice.batches(), {});
     sensing.revision.assign(lattice.vertex_sites(), 0);
     return sensing;
@@ -37,7 +36,7 @@ State::State(const Network& network, Scheme chosen, double dt, Precision precisi
       merging{network, unions},
       sensing{all_active(network, unions.lattice())},
       held_in_row(lattice().vertex_rows().size()),
-      received_in_row(lattice().vertex_rows().size()) {
+      received{network, unions} {
     for (const Slot s : unions.advanced()) {
         motion.open(s);
         set_mobility(network, s);
@@ -46,10 +45,6 @@ State::State(const Network& network, Scheme chosen, double dt, Precision precisi
         motion.open(unions.slot(m));
     }
     pooled.find(unions, motion);
-    for (std::size_t i = 0; i < network.received().size(); ++i) {
-        const VertexSite v = lattice().vertex(network.received()[i]);
-        received_in_row[static_cast<std::size_t>(lattice().vertex_row(v))].push_back(i);
-    }
     for (const Held& union_held : find_held(network, unions)) {
         hold(union_held);
     }
@@ -86,9 +81,9 @@ void State::hold(const Held& union_held) {
 
 std::size_t State::memory_bytes() const {
     return unions.memory_bytes() + motion.memory_bytes() + pooled.memory_bytes() + merging.memory_bytes() +
-           held.capacity() * sizeof(Held) + sensing.active.capacity() + sensing.limit.capacity() * sizeof(UpperHalf) +
+           held.capacity() * sizeof(Held) + sensing.active.capacity() + sensing.limits.memory_bytes() +
            sensing.exceeded.capacity() * sizeof(EdgeBits) + sensing.revision.capacity() * sizeof(Sensing::Revision) +
-           (held_in_row.size() + received_in_row.size()) * sizeof(std::vector<std::size_t>);
+           held_in_row.size() * sizeof(std::vector<std::size_t>) + received.memory_bytes();
 }
 
 void start(const Network& network, const Initial& initial, State& state) {

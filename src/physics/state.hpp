@@ -8,11 +8,13 @@
 #include <unordered_map>
 #include <vector>
 
+#include "physics/edge_limits.hpp"
 #include "physics/force_sweep_view.hpp"
 #include "physics/merging.hpp"
 #include "physics/motion.hpp"
 #include "physics/network.hpp"
 #include "physics/pooled_corners.hpp"
+#include "physics/received_unions.hpp"
 #include "physics/stability.hpp"
 #include "physics/union_table.hpp"
 
@@ -24,9 +26,7 @@ struct Sensing {
     using Revision = std::uint8_t;
 
     std::vector<std::uint8_t> active;  ///< by interface, bit k for duplet k; only duplets of touched unions
-    /// [batch][edge][lane]: the extension |d|^2/L0^2 - 1 up to which no sensor that reaches over the edge can trigger; infinite if there is none
-    /// or the entity does not carry the edge.
-    std::vector<UpperHalf> limit;
+    EdgeLimits limits;
     std::vector<EdgeBits> exceeded;  ///< [batch]: edges stretched beyond their limits; written by the sweep
     /// By vertex: rises when sensors at its edges, or what they reach over, become others
     std::vector<Revision> revision;
@@ -70,14 +70,14 @@ struct State {
     Merging merging;
     Sensing sensing;
     std::vector<Held> held;
-    std::unordered_map<Slot, std::size_t> held_of_slot;     ///< index into held
-    std::vector<std::vector<std::size_t>> held_in_row;      ///< by vertex row: indices into held
-    std::vector<std::vector<std::size_t>> received_in_row;  ///< by vertex row: indices into Network::received
-    double last_dissipation{0};                             ///< J, z (v.n)^2 dt of the last sweep
-    std::int64_t last_sweep{-1};                            ///< its step
-    double dissipated{0};  ///< J, by the owned entities since step 0: the trapezoidal sum of z (v.n)^2 dt
-    double external{0};    ///< J, work of the supports on the unions that this rank owns so far
-    double elastic{0};     ///< J, of the owned entities at the last measured sweep
+    std::unordered_map<Slot, std::size_t> held_of_slot;  ///< index into held
+    std::vector<std::vector<std::size_t>> held_in_row;   ///< by vertex row: indices into held
+    ReceivedUnions received;
+    double last_dissipation{0};   ///< J, z (v.n)^2 dt of the last sweep
+    std::int64_t last_sweep{-1};  ///< its step
+    double dissipated{0};         ///< J, by the owned entities since step 0: the trapezoidal sum of z (v.n)^2 dt
+    double external{0};           ///< J, work of the supports on the unions that this rank owns so far
+    double elastic{0};            ///< J, of the owned entities at the last measured sweep
     std::optional<Breakdown> breakdown;
 
     [[nodiscard]] const Lattice& lattice() const { return unions.lattice(); }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -43,24 +43,9 @@ public:
     template <class Action>
     void for_each_advanced(Action&& action) const {
         for (VertexSite v{0}; v.index() < in_use_.size(); ++v) {
-            const unsigned in_use = in_use_[v.index()];
-            std::array<LocalMass, planes> smallest{};
-            unsigned found = 0;
-            for (std::size_t i = 0; found != in_use && i < Lattice::ascending.size(); ++i) {
-                const LocalMass m = lattice_->mass_at(v, Lattice::ascending[i]);
-                if (m == LocalMass{}) {
-                    continue;
-                }
-                const auto plane = static_cast<std::size_t>(label(m));
-                if ((found >> plane & 1U) == 0) {
-                    smallest[plane] = m;
-                    found |= 1U << plane;
-                }
-            }
-            for (int plane = 0; plane < planes; ++plane) {
-                if ((in_use >> static_cast<unsigned>(plane) & 1U) != 0) {
-                    action(slot_of(v, plane), smallest[static_cast<std::size_t>(plane)]);
-                }
+            for (unsigned in_use = in_use_[v.index()]; in_use != 0; in_use &= in_use - 1) {
+                const int plane = std::countr_zero(in_use);
+                action(slot_of(v, plane), plane == base_plane ? lattice_->smallest_at(v) : lattice_->mass_at(v, plane));
             }
         }
     }

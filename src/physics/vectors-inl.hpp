@@ -25,6 +25,16 @@ template <class Real>
 using V = hn::Vec<D<Real>>;
 
 template <class Real>
+constexpr std::size_t vector_lanes = hn::MaxLanes(D<Real>{});
+
+// A vector takes half a batch, all of it, or less than half: what is known of the halves that it meets.
+template <class Real>
+constexpr bool is_whole_batch = vector_lanes<Real> == Lattice::lanes;
+template <class Real>
+constexpr bool is_known = vector_lanes<Real> <= Lattice::half || is_whole_batch<Real>;
+static_assert(is_known<double> && is_known<float>);
+
+template <class Real>
 struct V3 {
     V<Real> x, y, z;
 };

@@ -54,7 +54,7 @@ double network_bytes(const PartLoad& load, bool one_threshold) {
     const double thresholds = one_threshold ? 0 : duplets * sizeof(double);
     const double per_interface = sizeof(physics::Interface) + thresholds + sizeof(std::uint8_t);
     return number(load.local) * per_entity + number(load.interfaces) * per_interface +
-           number(load.received) * sizeof(LocalMass);
+           number(load.received) * (sizeof(LocalMass) + sizeof(std::size_t) + sizeof(physics::ReceivedUnions::Entry));
 }
 
 /// What grows with the splits is given an eighth of room; on average half of that is left.

@@ -93,7 +93,7 @@ double bytes_of_step(const DamagedBlock& block) {
     const double components = state.scheme == physics::Scheme::ab2 ? 13 : 10;
     const double motion = static_cast<double>(state.motion.memory_bytes()) * (2 * components - 1) / components;
     const std::size_t read = state.merging.memory_bytes() + state.pooled.memory_bytes() +
-                             state.sensing.limit.size() * sizeof(physics::UpperHalf) +
+                             state.sensing.limits.memory_bytes() +
                              state.sensing.exceeded.size() * sizeof(physics::EdgeBits);
     return motion + static_cast<double>(read);
 }

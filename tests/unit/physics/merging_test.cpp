@@ -43,6 +43,52 @@ void expect_smallest_carries_all(const Network& network, const State& state) {
     }
 }
 
+/// In how many half batches all carry just what entities inside an intact block do; nowhere else is this said.
+std::size_t halves_inside(const Network& network, const State& state) {
+    const Lattice& lattice = state.lattice();
+    std::size_t count = 0;
+    for (std::size_t half = 0; half < lattice.halves(); ++half) {
+        bool expected = true;
+        for (std::size_t lane = 0; lane < Lattice::half; ++lane) {
+            const LocalEntity e = lattice.entity(Site{static_cast<std::int32_t>(half * Lattice::half + lane)});
+            expected = expected && e != LocalEntity{} && network.owned(e);
+            for (int i = 0; expected && i < HexahedronPairs::count; ++i) {
+                const bool is_edge = i < HexahedronPairs::edges;
+                const bool at_corner_6 = i == HexahedronPairs::edge_at(6, i / HexahedronPairs::edges_per_axis % 3);
+                expected = state.merging.weight(state.unions, e, i) == (!is_edge ? 1 : at_corner_6 ? 4 : 0);
+            }
+        }
+        const bool said = (state.merging.carried()[half] >> Merging::inside & 1U) != 0;
+        EXPECT_EQ(said, expected) << "half " << half;
+        count += said ? 1U : 0U;
+    }
+    return count;
+}
+
+TEST(Merging, KnowsWhereAllCarryWhatEntitiesInsideAnIntactBlockDo) {
+    test::SerialBlock block;
+    block.cells = {24, 5, 4};
+    const Network network = block.network();
+    State state{network, Scheme::cordis, 0.3};
+    std::size_t before = halves_inside(network, state);
+    // But for the first and the last of the six halves of a row, and for the rows at the block's lower and upper faces.
+    EXPECT_EQ(before, 4U * 3 * 2);
+    for (std::uint64_t round = 0; before > 0; ++round) {
+        ASSERT_LT(round, 30U);
+        std::vector<LocalDuplet> some;
+        for (std::int32_t d = 0; d < static_cast<std::int32_t>(network.interfaces().size()) * 4; ++d) {
+            if (state.sensing.is_active(LocalDuplet{d}) && mix(round, static_cast<std::uint64_t>(d)) % 40 == 0) {
+                some.emplace_back(d);
+            }
+        }
+        SplitStream splits;
+        split(network, some, state, splits);
+        const std::size_t after = halves_inside(network, state);
+        EXPECT_LE(after, before);
+        before = after;
+    }
+}
+
 TEST(Merging, LetsTheSmallestEntityCarryWhatSharesBothUnions) {
     for (const std::array<std::int64_t, 3> cells : {std::array<std::int64_t, 3>{1, 1, 1}, {10, 3, 4}}) {
         test::SerialBlock block;

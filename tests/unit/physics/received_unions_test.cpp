@@ -1,0 +1,87 @@
+#include "physics/received_unions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "physics/union_table.hpp"
+#include "support/serial_network.hpp"
+
+namespace cracksim::physics {
+namespace {
+
+/// All entities of a block, those in the middle of x owned by this rank.
+Network middle_of(const test::SerialBlock& block) {
+    std::vector<EntityId> ids;
+    std::vector<std::uint8_t> owned;
+    for (EntityId e{0}; e.value() < block.block().entity_count(); ++e) {
+        ids.push_back(e);
+        const std::int64_t x = e.value() % block.cells[0];
+        owned.push_back(x > 0 && x + 1 < block.cells[0] ? 1 : 0);
+    }
+    return {block.block(),
+            block.model(),
+            IdArray<LocalEntity, EntityId>{std::move(ids)},
+            IdArray<LocalEntity, std::uint8_t>{std::move(owned)},
+            block.duplets,
+            block.thresholds,
+            block.supports};
+}
+
+/// All unions of received masses are there, each once, and with one of its masses.
+void expect_each_once(const Network& network, const UnionTable& unions, const ReceivedUnions& received) {
+    std::set<Slot> expected;
+    for (const LocalMass m : network.received()) {
+        expected.insert(unions.slot(m));
+    }
+    std::size_t count = 0;
+    for (std::size_t row = 0; row < unions.lattice().vertex_rows().size(); ++row) {
+        for (const auto& [slot, mass] : received.in_row(row)) {
+            EXPECT_EQ(unions.slot(network.received()[mass]), slot);
+            EXPECT_EQ(static_cast<std::size_t>(unions.lattice().vertex_row(vertex_of(slot))), row);
+            EXPECT_EQ(expected.count(slot), 1U);
+            ++count;
+        }
+    }
+    EXPECT_EQ(count, expected.size());
+}
+
+TEST(ReceivedUnions, AreThoseOfTheReceivedMassesEachOnce) {
+    test::SerialBlock block;
+    block.cells = {6, 4, 3};
+    const Network network = middle_of(block);
+    const UnionTable unions{network};
+    const ReceivedUnions received{network, unions};
+    expect_each_once(network, unions, received);
+    EXPECT_EQ(network.received().size(), 2U * 4 * 3 * 4);
+    std::size_t count = 0;
+    for (std::size_t row = 0; row < unions.lattice().vertex_rows().size(); ++row) {
+        count += received.in_row(row).size();
+    }
+    EXPECT_EQ(count, 2U * 5 * 4);
+}
+
+TEST(ReceivedUnions, FollowTheLabelsOfTheirOwners) {
+    test::SerialBlock block;
+    block.cells = {6, 4, 3};
+    const Network network = middle_of(block);
+    UnionTable unions{network};
+    ReceivedUnions received{network, unions};
+    constexpr std::uint32_t seed = 20261126;
+    SCOPED_TRACE(seed);
+    std::mt19937 draw{seed};
+    for (int change = 0; change < 200; ++change) {
+        const LocalMass m = network.received()[draw() % network.received().size()];
+        unions.set_received_label(m, draw() % 2 == 0 ? corner_of(m) : base_plane);
+        const std::vector<VertexSite> changed{unions.lattice().vertex(m)};
+        received.update(network, unions, changed);
+        expect_each_once(network, unions, received);
+    }
+}
+
+}  // namespace
+}  // namespace cracksim::physics
