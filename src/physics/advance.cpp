@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 #include <utility>
 
 #include "core/contracts.hpp"
@@ -358,39 +359,61 @@ void advance(const Network& network, State& state, std::span<const NextMotion> r
 }
 
 NextMotions::NextMotions(const Lattice& lattice, std::vector<LocalMass> masses) : masses_{std::move(masses)} {
-    for (const LocalMass m : masses_) {
-        vertex_.push_back(lattice.vertex(m));
+    std::unordered_map<VertexSite, std::size_t> first_at;
+    for (std::size_t i = 0; i < masses_.size(); ++i) {
+        vertex_.push_back(lattice.vertex(masses_[i]));
+        first_at_vertex_.push_back(first_at.try_emplace(vertex_[i], i).first->second);
     }
 }
 
 void NextMotions::find(const Network& network, const State& state, std::span<NextMotion> found) const {
     CRACKSIM_EXPECT(found.size() == masses_.size());
+    std::array<std::size_t, masses_at_a_time> some{};
+    std::size_t count = 0;
+    const auto find_some = [&] {
+        find_increments(network, state, std::span{some}.first(count), found);
+        count = 0;
+    };
     for (std::size_t i = 0; i < found.size(); ++i) {
         found[i].label = state.unions.label(masses_[i]);
-    }
-    for (std::size_t first = 0; first < found.size(); first += masses_at_a_time) {
-        const auto some = found.subspan(first, std::min(masses_at_a_time, found.size() - first));
-        if (state.motion.precision() == Precision::binary32) {
-            find_increments<float>(state, first, some);
-        } else {
-            find_increments<double>(state, first, some);
+        if (!is_told_before(found, i)) {
+            some[count++] = i;
+        }
+        if (count == some.size()) {
+            find_some();
         }
     }
-    for (std::size_t i = 0; !state.held.empty() && i < found.size(); ++i) {
-        const Slot s = state.unions.slot(masses_[i]);
-        found[i].increment = state.motion.rounded(prescribed(network, state, s, found[i].increment, 0.5));
+    find_some();
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        found[i].increment = is_told_before(found, i) ? found[first_at_vertex_[i]].increment : found[i].increment;
+    }
+}
+
+void NextMotions::find_increments(const Network& network, const State& state, std::span<const std::size_t> some,
+                                  std::span<NextMotion> found) const {
+    if (state.motion.precision() == Precision::binary32) {
+        find_increments_in<float>(state, some, found);
+    } else {
+        find_increments_in<double>(state, some, found);
+    }
+    if (!state.held.empty()) {
+        for (const std::size_t i : some) {
+            const Slot s = state.unions.slot(masses_[i]);
+            found[i].increment = state.motion.rounded(prescribed(network, state, s, found[i].increment, 0.5));
+        }
     }
 }
 
 template <class Real>
-void NextMotions::find_increments(const State& state, std::size_t first, std::span<NextMotion> found) const {
+void NextMotions::find_increments_in(const State& state, std::span<const std::size_t> some,
+                                     std::span<NextMotion> found) const {
     using Components = std::array<Real, 3 * masses_at_a_time>;
     Components increments{};
     Components mobilities{};
     Components forces{};
     Components next{};
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        const Slot s = slot_of(vertex_[first + i], static_cast<int>(found[i].label));
+    for (std::size_t i = 0; i < some.size(); ++i) {
+        const Slot s = slot_of(vertex_[some[i]], static_cast<int>(found[some[i]].label));
         const Vec3 increment = state.increment(s);
         const Vec3 force = state.force(s);
         const double mobility = state.mobility(s);
@@ -403,8 +426,8 @@ void NextMotions::find_increments(const State& state, std::size_t first, std::sp
     }
     find_next_increments(
         NextIncrementView<Real>{increments.data(), mobilities.data(), forces.data(), next.data(), increments.size()});
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        found[i].increment = {next[3 * i], next[3 * i + 1], next[3 * i + 2]};
+    for (std::size_t i = 0; i < some.size(); ++i) {
+        found[some[i]].increment = {next[3 * i], next[3 * i + 1], next[3 * i + 2]};
     }
 }
 

@@ -33,11 +33,19 @@ public:
     void find(const Network& network, const State& state, std::span<NextMotion> found) const;
 
 private:
+    /// The first mass of this list at the vertex is in the same union. Labels are known up to the mass.
+    [[nodiscard]] bool is_told_before(std::span<const NextMotion> found, std::size_t i) const {
+        return first_at_vertex_[i] < i && found[first_at_vertex_[i]].label == found[i].label;
+    }
+    /// Of some masses, by their indices.
+    void find_increments(const Network& network, const State& state, std::span<const std::size_t> some,
+                         std::span<NextMotion> found) const;
     template <class Real>
-    void find_increments(const State& state, std::size_t first, std::span<NextMotion> found) const;
+    void find_increments_in(const State& state, std::span<const std::size_t> some, std::span<NextMotion> found) const;
 
     std::vector<LocalMass> masses_;
     std::vector<VertexSite> vertex_;
+    std::vector<std::size_t> first_at_vertex_;  ///< index of a mass
 };
 
 /// The start values of the received masses: w(0), and with ab2 its extrapolation.

@@ -21,8 +21,9 @@ Vec3 centred_increment(const State& state, Slot s) {
 
 double kinetic_energy(const Network& network, const State& state) {
     double energy = 0;
-    state.unions.for_each_advanced([&](Slot s, LocalMass smallest) {
-        if (network.owned(entity_of(smallest))) {
+    const bool alone = network.received().empty();
+    state.unions.for_each_advanced_slot([&](Slot s) {
+        if (alone || network.owned(entity_of(state.unions.smallest_of_advanced(s)))) {
             const Vec3 increment = centred_increment(state, s);
             energy += 0.5 * dot(increment, increment) / state.mobility(s);
         }

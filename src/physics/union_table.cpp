@@ -1,7 +1,6 @@
 #include "physics/union_table.hpp"
 
 #include <algorithm>
-#include <bit>
 
 #include "core/contracts.hpp"
 
@@ -41,11 +40,7 @@ int UnionTable::mass_count(Slot s) const {
 
 std::vector<Slot> UnionTable::advanced() const {
     std::vector<Slot> all;
-    for (VertexSite v{0}; v.index() < in_use_.size(); ++v) {
-        for (unsigned in_use = in_use_[v.index()]; in_use != 0; in_use &= in_use - 1) {
-            all.push_back(slot_of(v, std::countr_zero(in_use)));
-        }
-    }
+    for_each_advanced_slot([&](Slot s) { all.push_back(s); });
     return all;
 }
 

@@ -39,15 +39,24 @@ public:
     /// The same masses in a list, which is cleared first.
     void masses(Slot s, std::vector<LocalMass>& found) const;
     [[nodiscard]] int mass_count(Slot s) const;
-    /// Calls action(slot, smallest mass) for the unions that this rank advances, by vertex and plane.
+    /// Calls action(slot) for the unions that this rank advances, by vertex and plane.
     template <class Action>
-    void for_each_advanced(Action&& action) const {
+    void for_each_advanced_slot(Action&& action) const {
         for (VertexSite v{0}; v.index() < in_use_.size(); ++v) {
             for (unsigned in_use = in_use_[v.index()]; in_use != 0; in_use &= in_use - 1) {
-                const int plane = std::countr_zero(in_use);
-                action(slot_of(v, plane), plane == base_plane ? lattice_->smallest_at(v) : lattice_->mass_at(v, plane));
+                action(slot_of(v, std::countr_zero(in_use)));
             }
         }
+    }
+    /// The same with each union's smallest mass: action(slot, smallest).
+    template <class Action>
+    void for_each_advanced(Action&& action) const {
+        for_each_advanced_slot([&](Slot s) { action(s, smallest_of_advanced(s)); });
+    }
+    /// By the rules for labels, and so without a look at those of the vertex's other masses.
+    [[nodiscard]] LocalMass smallest_of_advanced(Slot s) const {
+        return plane_of(s) == base_plane ? lattice_->smallest_at(vertex_of(s))
+                                         : lattice_->mass_at(vertex_of(s), plane_of(s));
     }
     /// Slots of all unions that this rank advances, by vertex and plane.
     [[nodiscard]] std::vector<Slot> advanced() const;
