@@ -14,15 +14,15 @@ namespace cracksim::physics {
 
 enum class Measure { nothing, elastic_energy };
 
-/// The polynomial P of NearRatios, for |x - centre| <= reach: minimax for the residual, degree 4.
+/// The polynomial P of NearRatios, for extensions from the shortest to the longest: minimax for the residual, degree 4.
 struct Series {
     static constexpr double p0 = 0.49968050192365143;
     static constexpr double p1 = -0.3729833863862425;
     static constexpr double p2 = 0.3226122799509682;
     static constexpr double p3 = -0.31894107644253683;
     static constexpr double p4 = 0.2095730915886624;
-    static constexpr double centre = 0.075;
-    static constexpr double reach = 0.425;
+    static constexpr double shortest = -0.35;
+    static constexpr double longest = 0.5;
     /// Below this |d|^2/L0^2 the direction is not defined.
     static constexpr double tiny_squared = 1e-24;
 };

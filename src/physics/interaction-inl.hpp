@@ -39,7 +39,8 @@ template <class Real>
 struct Outcome {
     V<Real> dissipated;
     V<Real> elastic;
-    V<Real> farthest;                           ///< largest |extension - Series::centre|
+    V<Real> shortest;                           ///< of the extensions and 0
+    V<Real> longest;                            ///< of the extensions and 0
     bool any_exceeded;                          ///< false: no edge is stretched beyond its limit
     unsigned exceeded[HexahedronPairs::edges];  ///< by edge, a bit a lane
 };
@@ -84,7 +85,13 @@ CRACKSIM_INLINE void ForEach(Action&& action) {
     (std::make_index_sequence<kCount>{});
 }
 
-/// For |x - 0.075| <= 0.425, without division or root. g0 = x P(x) is right to 0.1 %; with the residual R = (1 + x)(1 - g0)^2 - 1,
+/// All between these are in the range of NearRatios.
+template <class Real>
+HWY_INLINE auto IsNear(V<Real> shortest, V<Real> longest) {
+    return hn::And(hn::Ge(shortest, Same<Real>(Series::shortest)), hn::Le(longest, Same<Real>(Series::longest)));
+}
+
+/// For -0.35 <= x <= 0.5, without division or root. g0 = x P(x) is right to 0.1 %; with the residual R = (1 + x)(1 - g0)^2 - 1,
 /// r = (1 - g0)(1 + R)^(-1/2) to the third power of R, in single precision the second: to the last bits of g, relative to g, however
 /// small x. Of several x at once: one is a long chain of operations, and the processor works on several chains only where they
 /// are close to each other in the program.
@@ -129,7 +136,7 @@ CRACKSIM_INLINE Ratio<Real> AnyRatio(V<Real> x) {
     Ratio<Real> nearby[1];
     NearRatios<1, Real>({x}, nearby);
     const Ratio<Real> near = nearby[0];
-    const auto is_near = hn::Le(hn::Abs(hn::Sub(x, Same<Real>(Series::centre))), Same<Real>(Series::reach));
+    const auto is_near = IsNear<Real>(x, x);
     const V<Real> g = hn::IfThenElse(is_near, near.shortfall, hn::Div(x, hn::Add(squared, length)));
     const V<Real> r = hn::IfThenElse(is_near, near.inverse, hn::Div(one, length));
     return {hn::IfThenZeroElse(vanished, g), hn::IfThenZeroElse(vanished, r)};
@@ -157,7 +164,8 @@ CRACKSIM_INLINE void Complete(const InteractionConstants<Real>& c, Interactions<
         all.rate[I] = hn::IfThenElseZero(carried, all.rate[I]);
     }
     if constexpr (!kFar) {
-        sums.farthest = hn::Max(sums.farthest, hn::Abs(hn::Sub(extension, Same<Real>(Series::centre))));
+        sums.shortest = hn::Min(sums.shortest, extension);
+        sums.longest = hn::Max(sums.longest, extension);
     }
 }
 
@@ -167,17 +175,16 @@ struct LimitsHere {
     float lowest;
 };
 
-/// Which edges of the list are stretched beyond their limits. kMostlyNone: the limits by edge need not come to the caches; else a branch
-/// takes longer than to look.
+/// Which edges of the list are stretched beyond their limits; other extensions are not known yet. kMostlyNone: the limits by edge need
+/// not come to the caches; else a branch takes longer than to look.
 template <bool kMostlyNone, class Real, std::size_t... I>
 CRACKSIM_INLINE void FindExceeded(const LimitsHere& limits, const Interactions<Real>& all, Outcome<Real>& outcome,
                                   std::index_sequence<I...>) {
     constexpr std::array<std::size_t, sizeof...(I)> numbers{I...};
     if constexpr (numbers[0] < HexahedronPairs::edges) {
         if constexpr (kMostlyNone) {
-            V<Real> longest = all.extension[numbers[0]];
-            ((longest = I < HexahedronPairs::edges ? hn::Max(longest, all.extension[I]) : longest), ...);
-            if (hn::AllFalse(D<Real>{}, hn::Gt(longest, Same<Real>(static_cast<double>(limits.lowest))))) {
+            const V<Real> lowest = Same<Real>(static_cast<double>(limits.lowest));
+            if (hn::AllFalse(D<Real>{}, hn::Gt(outcome.longest, lowest))) {
                 return;
             }
         }
@@ -242,7 +249,7 @@ template <class Real>
 HWY_INLINE Outcome<Real> Nothing() {
     const D<Real> d;
     const V<Real> zero = hn::Zero(d);
-    return {zero, zero, zero, false, {}};
+    return {zero, zero, zero, zero, false, {}};
 }
 
 template <class Real>
@@ -270,7 +277,7 @@ HWY_INLINE LimitsHere LimitsOf(const SweepView<Real>& v, std::size_t site) {
 template <class Real>
 HWY_INLINE bool IsFar(const Outcome<Real>& outcome) {
     const D<Real> d;
-    return HWY_UNLIKELY(!hn::AllTrue(d, hn::Le(outcome.farthest, Same<Real>(Series::reach))));
+    return HWY_UNLIKELY(!hn::AllTrue(d, IsNear<Real>(outcome.shortest, outcome.longest)));
 }
 
 /// What the sweep of a row adds up over its batches.
@@ -355,11 +362,22 @@ CRACKSIM_INLINE void AddComponents(const SweepView<Real>& v, const From& from, I
 template <bool kPlain, bool kMostlyNone, bool kFar, bool kMeasure, class From, class Real, std::size_t... I>
 CRACKSIM_INLINE void FindStretches(const SweepView<Real>& v, const From& from, const LimitsHere& limits,
                                    Interactions<Real>& all, Outcome<Real>& outcome, std::index_sequence<I...> list) {
+    static_assert(!(kMostlyNone && kFar), "without the series, the longest extension is not found");
     AddComponents<0>(v, from, all, list);
     AddComponents<1>(v, from, all, list);
     AddComponents<2>(v, from, all, list);
-    (Complete<I, kPlain, kFar>(v.interaction[I], all, outcome), ...);
+    constexpr std::array<std::size_t, sizeof...(I)> numbers{I...};
+    ForEach<sizeof...(I)>([&](auto i) CRACKSIM_INLINE_LAMBDA {
+        if constexpr (numbers[i] < HexahedronPairs::edges) {
+            Complete<numbers[i], kPlain, kFar>(v.interaction[numbers[i]], all, outcome);
+        }
+    });
     FindExceeded<kMostlyNone>(limits, all, outcome, list);
+    ForEach<sizeof...(I)>([&](auto i) CRACKSIM_INLINE_LAMBDA {
+        if constexpr (numbers[i] >= HexahedronPairs::edges) {
+            Complete<numbers[i], kPlain, kFar>(v.interaction[numbers[i]], all, outcome);
+        }
+    });
     FindFactors<kFar, kMeasure>(v, all, outcome, list);
 }
 

@@ -39,6 +39,19 @@ HWY_INLINE bool IsBase(const SweepView<Real>& v, std::size_t site) {
 /// next vector.
 template <class Real>
 HWY_INLINE V<Real> Shifted(V<Real> upper, V<Real>& from_before) {
+#if HWY_TARGET <= HWY_AVX3
+    // One instruction, which Highway has no name for.
+    static_assert(is_whole_batch<Real>);
+    V<Real> shifted;
+    if constexpr (sizeof(Real) > sizeof(float)) {
+        shifted.raw = _mm512_castsi512_pd(
+            _mm512_alignr_epi64(_mm512_castpd_si512(upper.raw), _mm512_castpd_si512(from_before.raw), 7));
+    } else {
+        shifted.raw = _mm256_castsi256_ps(
+            _mm256_alignr_epi32(_mm256_castps_si256(upper.raw), _mm256_castps_si256(from_before.raw), 7));
+    }
+    from_before = upper;
+#else
     const D<Real> d;
     const hn::RebindToSigned<D<Real>> di;
     using Index = hn::TFromD<decltype(di)>;
@@ -48,7 +61,18 @@ HWY_INLINE V<Real> Shifted(V<Real> upper, V<Real>& from_before) {
     const V<Real> rotated = hn::TableLookupLanes(upper, index);
     const V<Real> shifted = hn::IfThenElse(hn::FirstN(d, 1), from_before, rotated);
     from_before = rotated;
+#endif
     return shifted;
+}
+
+/// The last one of those that Shifted leaves for the next vector.
+template <class Real>
+HWY_INLINE Real HandedOnBy(V<Real> from_before) {
+#if HWY_TARGET <= HWY_AVX3
+    return hn::ExtractLane(from_before, vector_lanes<Real> - 1);
+#else
+    return hn::GetLane(from_before);
+#endif
 }
 
 /// What each side's upper corners hand on to the next vector.
@@ -111,9 +135,9 @@ HWY_INLINE void Deliver(const SweepView<Real>& v, RowRun<Real>& run, std::size_t
     }
     Real* force = run.side[kSide] + Quantity::force * v.base_stride + at;
     V3<Real>& before = run.before.side[kSide];
-    force[0] += hn::GetLane(before.x);
-    force[v.base_stride] += hn::GetLane(before.y);
-    force[2 * v.base_stride] += hn::GetLane(before.z);
+    force[0] += HandedOnBy<Real>(before.x);
+    force[v.base_stride] += HandedOnBy<Real>(before.y);
+    force[2 * v.base_stride] += HandedOnBy<Real>(before.z);
     before = Zero3<Real>();
     run.has_before[kSide] = false;
 }
