@@ -82,8 +82,9 @@ public:
     static constexpr std::array<std::uint8_t, rows> inside_weights = [] {
         std::array<std::uint8_t, rows> weights{};
         for (std::size_t row = 0; row < rows; ++row) {
-            const bool is_edge = row < HexahedronPairs::edges;
-            weights[row] = is_edge ? (inside_list >> row & 1U) * 4 : 1;
+            const bool is_shared = row < HexahedronPairs::edges;
+            const bool is_carried = (inside_list >> row & 1U) != 0;
+            weights[row] = !is_shared ? 1 : is_carried ? 4 : 0;
         }
         return weights;
     }();
