@@ -79,9 +79,13 @@ Json json(const Summary::Exchange& e) {
 }
 
 Json json(const Summary::Forecast& f) {
-    return {{"memory_intact", f.memory_intact},         {"memory_broken", f.memory_broken},
-            {"exchange_per_step", f.exchange_per_step}, {"output_intact", f.output_intact},
-            {"output_broken", f.output_broken},         {"output_per_interface", f.output_per_interface}};
+    return {{"memory_intact", f.memory_intact},
+            {"memory_broken", f.memory_broken},
+            {"exchange_intact", f.exchange_intact},
+            {"exchange_broken", f.exchange_broken},
+            {"output_intact", f.output_intact},
+            {"output_broken", f.output_broken},
+            {"output_per_interface", f.output_per_interface}};
 }
 
 Json json(const FrameRecord& f) {

@@ -53,14 +53,14 @@ struct Summary {
         double per_entity{0}, map_per_entity{0};
     };
     struct Exchange {
-        double bytes_per_step{0};
+        double bytes_per_step{0};  ///< of all ranks, on average
         std::int64_t neighbours_max{0};
         double waiting{0};  ///< s, for messages of other ranks; a part of seconds.exchange
     };
     /// What was forecast before the first step, bytes: intact if nothing breaks, broken if all of it breaks in the first step.
     struct Forecast {
-        std::int64_t memory_intact{0}, memory_broken{0};  ///< of the rank that holds most
-        std::int64_t exchange_per_step{0};
+        std::int64_t memory_intact{0}, memory_broken{0};      ///< of the rank that holds most
+        std::int64_t exchange_intact{0}, exchange_broken{0};  ///< of all ranks, in a step
         std::int64_t output_intact{0}, output_broken{0};
         std::int64_t output_per_interface{0};  ///< for each interface that opens, in each later frame
     };

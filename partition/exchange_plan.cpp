@@ -30,15 +30,25 @@ std::vector<std::int64_t> merged(const Lists& requests) {
     return all;
 }
 
-/// Where each requested id stands in the owner's list.
-Lists places_in(const std::vector<std::int64_t>& sent, const Lists& requests) {
+/// Where each requested id stands in an ascending list.
+Lists places_in(const std::vector<std::int64_t>& ids, const Lists& requests) {
     Lists places(requests.size());
     for (std::size_t r = 0; r < requests.size(); ++r) {
         for (const std::int64_t id : requests[r]) {
-            places[r].push_back(std::lower_bound(sent.begin(), sent.end(), id) - sent.begin());
+            places[r].push_back(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin());
         }
     }
     return places;
+}
+
+std::vector<ExchangePlan::Side> sides_of(const Lists& places) {
+    std::vector<ExchangePlan::Side> sides;
+    for (std::size_t r = 0; r < places.size(); ++r) {
+        if (!places[r].empty()) {
+            sides.push_back({Rank{static_cast<std::int32_t>(r)}, {places[r].begin(), places[r].end()}});
+        }
+    }
+    return sides;
 }
 
 }  // namespace
@@ -98,7 +108,10 @@ ExchangePlan::ExchangePlan(const Communicator& comm, std::vector<std::int64_t> n
     }
     const Lists asked = comm.exchange(requests);
     sent_ = merged(asked);
-    const Lists places = comm.exchange(places_in(sent_, asked));
+    const Lists sent_places = places_in(sent_, asked);
+    const Lists places = comm.exchange(sent_places);
+    targets_ = sides_of(sent_places);
+    sources_ = sides_of(places_in(received_, requests));
 
     std::vector<std::size_t> next(requests.size(), 0);
     std::vector<PetscSFNode> leaves;

@@ -49,6 +49,14 @@ public:
     [[nodiscard]] std::span<const std::int64_t> sent() const { return sent_; }
     /// Global ids that this rank receives, ascending, each once.
     [[nodiscard]] std::span<const std::int64_t> received() const { return received_; }
+    /// What crosses to or from another rank.
+    struct Side {
+        Rank rank;
+        std::vector<std::size_t> places;  ///< in sent() or received(), ascending
+    };
+    /// By rank; only those that there is something for. The target's source has as many places, of the same ids.
+    [[nodiscard]] std::span<const Side> targets() const { return targets_; }
+    [[nodiscard]] std::span<const Side> sources() const { return sources_; }
     /// Ranks that this rank sends to or receives from.
     [[nodiscard]] int neighbours() const { return neighbours_; }
     /// Values that leave this rank in one exchange (a value sent to two ranks counts twice).
@@ -76,6 +84,8 @@ private:
 
     std::vector<std::int64_t> sent_;
     std::vector<std::int64_t> received_;
+    std::vector<Side> targets_;
+    std::vector<Side> sources_;
     int neighbours_{0};
     std::int64_t values_sent_{0};
     std::unique_ptr<Forest, ForestDeleter> forest_;

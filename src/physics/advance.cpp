@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <unordered_map>
 #include <utility>
 
 #include "core/contracts.hpp"
@@ -138,14 +137,14 @@ namespace {
 
 void advance_planes(AdvanceView<double>& v) { HWY_DYNAMIC_DISPATCH(AdvanceDouble)(v); }
 void advance_planes(AdvanceView<float>& v) { HWY_DYNAMIC_DISPATCH(AdvanceSingle)(v); }
-void find_next_increments(const NextIncrementView<double>& v) { HWY_DYNAMIC_DISPATCH(NextIncrementsDouble)(v); }
-void find_next_increments(const NextIncrementView<float>& v) { HWY_DYNAMIC_DISPATCH(NextIncrementsSingle)(v); }
+void find_next_components(const NextIncrementView<double>& v) { HWY_DYNAMIC_DISPATCH(NextIncrementsDouble)(v); }
+void find_next_components(const NextIncrementView<float>& v) { HWY_DYNAMIC_DISPATCH(NextIncrementsSingle)(v); }
 
 constexpr double longest_increment_in_edges = 100;
 
 /// Of next increments; whole vectors.
-constexpr std::size_t masses_at_a_time = 64;
-static_assert(masses_at_a_time % Lattice::lanes == 0);
+constexpr std::size_t unions_at_a_time = 64;
+static_assert(unions_at_a_time % Lattice::lanes == 0);
 
 /// A union before a step, to put right afterwards what is not its own to decide.
 struct Before {
@@ -219,7 +218,7 @@ constexpr std::array<unsigned, Lattice::sides> planes_by_side = [] {
 /// caches once for advance and forces.
 class Advancer {
 public:
-    Advancer(const Network& network, State& state, std::span<const NextMotion> received)
+    Advancer(const Network& network, State& state, std::span<const Vec3> received)
         : network_{&network}, state_{&state}, received_{received}, longest_{longest_increment(network)} {}
 
     /// What a row of entities meets first.
@@ -307,7 +306,7 @@ private:
     void for_each_received(std::size_t row, unsigned met, auto&& action) {
         for (const auto& [slot, mass] : state_->received.in_row(row)) {
             if ((met & bit_of(plane_of(slot))) != 0) {
-                action(slot, received_[mass].increment);
+                action(slot, received_[mass]);
             }
         }
     }
@@ -331,7 +330,7 @@ private:
 
     const Network* network_;
     State* state_;
-    std::span<const NextMotion> received_;
+    std::span<const Vec3> received_;
     double longest_;
     bool broken_{false};
     std::vector<Before> before_;
@@ -340,7 +339,7 @@ private:
 
 }  // namespace
 
-void advance(const Network& network, State& state, std::span<const NextMotion> received, Measure measure) {
+void advance(const Network& network, State& state, std::span<const Vec3> received, Measure measure) {
     CRACKSIM_EXPECT(received.size() == network.received().size());
     Advancer advancer{network, state, received};
     ForceSweep sweep{network, state, measure};
@@ -358,62 +357,18 @@ void advance(const Network& network, State& state, std::span<const NextMotion> r
     sweep.finish();
 }
 
-NextMotions::NextMotions(const Lattice& lattice, std::vector<LocalMass> masses) : masses_{std::move(masses)} {
-    std::unordered_map<VertexSite, std::size_t> first_at;
-    for (std::size_t i = 0; i < masses_.size(); ++i) {
-        vertex_.push_back(lattice.vertex(masses_[i]));
-        first_at_vertex_.push_back(first_at.try_emplace(vertex_[i], i).first->second);
-    }
-}
+namespace {
 
-void NextMotions::find(const Network& network, const State& state, std::span<NextMotion> found) const {
-    CRACKSIM_EXPECT(found.size() == masses_.size());
-    std::array<std::size_t, masses_at_a_time> some{};
-    std::size_t count = 0;
-    const auto find_some = [&] {
-        find_increments(network, state, std::span{some}.first(count), found);
-        count = 0;
-    };
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        found[i].label = state.unions.label(masses_[i]);
-        if (!is_told_before(found, i)) {
-            some[count++] = i;
-        }
-        if (count == some.size()) {
-            find_some();
-        }
-    }
-    find_some();
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        found[i].increment = is_told_before(found, i) ? found[first_at_vertex_[i]].increment : found[i].increment;
-    }
-}
-
-void NextMotions::find_increments(const Network& network, const State& state, std::span<const std::size_t> some,
-                                  std::span<NextMotion> found) const {
-    if (state.motion.precision() == Precision::binary32) {
-        find_increments_in<float>(state, some, found);
-    } else {
-        find_increments_in<double>(state, some, found);
-    }
-    if (!state.held.empty()) {
-        for (const std::size_t i : some) {
-            const Slot s = state.unions.slot(masses_[i]);
-            found[i].increment = state.motion.rounded(prescribed(network, state, s, found[i].increment, 0.5));
-        }
-    }
-}
-
+/// Of at most unions_at_a_time.
 template <class Real>
-void NextMotions::find_increments_in(const State& state, std::span<const std::size_t> some,
-                                     std::span<NextMotion> found) const {
-    using Components = std::array<Real, 3 * masses_at_a_time>;
+void find_some_increments(const State& state, std::span<const ListedUnions::Entry> unions, std::span<double> found) {
+    using Components = std::array<Real, 3 * unions_at_a_time>;
     Components increments{};
     Components mobilities{};
     Components forces{};
     Components next{};
-    for (std::size_t i = 0; i < some.size(); ++i) {
-        const Slot s = slot_of(vertex_[some[i]], static_cast<int>(found[some[i]].label));
+    for (std::size_t i = 0; i < unions.size(); ++i) {
+        const Slot s = unions[i].slot;
         const Vec3 increment = state.increment(s);
         const Vec3 force = state.force(s);
         const double mobility = state.mobility(s);
@@ -424,10 +379,30 @@ void NextMotions::find_increments_in(const State& state, std::span<const std::si
             forces[at] = static_cast<Real>(force[axis]);
         }
     }
-    find_next_increments(
+    find_next_components(
         NextIncrementView<Real>{increments.data(), mobilities.data(), forces.data(), next.data(), increments.size()});
-    for (std::size_t i = 0; i < some.size(); ++i) {
-        found[some[i]].increment = {next[3 * i], next[3 * i + 1], next[3 * i + 2]};
+    std::copy_n(next.cbegin(), found.size(), found.begin());
+}
+
+}  // namespace
+
+void find_next_increments(const Network& network, const State& state, std::span<const ListedUnions::Entry> unions,
+                          std::span<double> found) {
+    CRACKSIM_EXPECT(found.size() == 3 * unions.size());
+    for (std::size_t begin = 0; begin < unions.size(); begin += unions_at_a_time) {
+        const std::size_t count = std::min(unions_at_a_time, unions.size() - begin);
+        const auto some = unions.subspan(begin, count);
+        if (state.motion.precision() == Precision::binary32) {
+            find_some_increments<float>(state, some, found.subspan(3 * begin, 3 * count));
+        } else {
+            find_some_increments<double>(state, some, found.subspan(3 * begin, 3 * count));
+        }
+    }
+    for (std::size_t i = 0; !state.held.empty() && i < unions.size(); ++i) {
+        const std::span<double> next = found.subspan(3 * i, 3);
+        const Vec3 held =
+            state.motion.rounded(prescribed(network, state, unions[i].slot, {next[0], next[1], next[2]}, 0.5));
+        std::ranges::copy(std::array{held.x, held.y, held.z}, next.begin());
     }
 }
 
@@ -441,15 +416,11 @@ void set_received(const Network& network, State& state, std::span<const StartInc
     }
 }
 
-void set_received_labels(const Network& network, State& state, std::span<const NextMotion> received) {
+void set_received_labels(const Network& network, State& state, std::span<const ReceivedLabel> labels) {
     std::vector<VertexSite> changed;
     std::vector<Slot> left;
-    for (std::size_t i = 0; i < received.size(); ++i) {
-        const LocalMass m = network.received()[i];
-        const int label = static_cast<int>(received[i].label);
-        if (state.unions.label(m) == label) {
-            continue;
-        }
+    for (const auto& [mass, label] : labels) {
+        const LocalMass m = network.received()[mass];
         const Slot before = state.unions.slot(m);
         state.unions.set_received_label(m, label);
         state.motion.open(state.unions.slot(m));
@@ -461,6 +432,9 @@ void set_received_labels(const Network& network, State& state, std::span<const N
         if (state.unions.smallest_mass(s) == LocalMass{}) {
             state.motion.clear(s);
         }
+    }
+    if (changed.empty()) {
+        return;
     }
     sort_and_make_unique(changed);
     state.update_unions(changed);

@@ -17,10 +17,10 @@ Dynamics::Dynamics(const partition::Communicator& comm, const Scene& scene, doub
       decomposition_{partition::decompose(comm, scene.block, partitioner(scene))},
       network_{(check_size(comm, decomposition_), build_network(comm, scene, decomposition_))},
       state_{network_, scene.time.scheme, step_size, scene.time.precision},
-      exchange_{comm, network_, decomposition_, state_.lattice()},
+      exchange_{comm, network_, decomposition_, state_},
       sensors_{scene.sensors.prefilter ? physics::Prefilter::on : physics::Prefilter::off} {
     physics::start(network_, initial_fields(scene), state_);
-    exchange_.start(network_, state_);
+    exchange_.start(network_, decomposition_, state_);
 }
 
 void Dynamics::begin() {
@@ -52,15 +52,15 @@ void Dynamics::act() {
 }
 
 void Dynamics::advance(physics::Measure measure) {
-    const std::span<const physics::NextMotion> received = exchange();
+    const std::span<const Vec3> received = received_increments();
     stopwatch_->time(Phase::force, [&] { physics::advance(network_, state_, received, measure); });
 }
 
-std::span<const physics::NextMotion> Dynamics::exchange() {
+std::span<const Vec3> Dynamics::received_increments() {
     if (comm_->size() == 1) {
         return {};
     }
-    return stopwatch_->time(Phase::exchange, [&] { return exchange_.next_motions(network_, state_, *stopwatch_); });
+    return stopwatch_->time(Phase::exchange, [&] { return exchange_.next_increments(network_, state_, *stopwatch_); });
 }
 
 physics::SplitStream Dynamics::take_splits() {
@@ -84,8 +84,8 @@ void Dynamics::audit(const partition::Audit& audit) const {
         return partition::MassView{advanced ? network_.mass(unions.smallest_mass(s)).value() : unknown,
                                    physics::motion_hash(state_, m)};
     };
-    for (const auto& finding :
-         {audit.check_plan(plan()), audit.check_contributions(network_.block(), reads), audit.check_masses(view)}) {
+    for (const auto& finding : {audit.check_plan(exchange_.plan()), audit.check_contributions(network_.block(), reads),
+                                audit.check_masses(view)}) {
         if (finding) {
             throw SharedError{"audit at step " + std::to_string(state_.step) + ": " + *finding};
         }

@@ -51,7 +51,7 @@ public:
     [[nodiscard]] const partition::Decomposition& decomposition() const { return decomposition_; }
     [[nodiscard]] const physics::Network& network() const { return network_; }
     [[nodiscard]] const physics::State& state() const { return state_; }
-    [[nodiscard]] const partition::ExchangePlan& plan() const { return exchange_.plan(); }
+    [[nodiscard]] const MotionExchange& exchange() const { return exchange_; }
     [[nodiscard]] MassEvolution evolution() const { return {network_, state_}; }
 
     /// Splits of this rank's touched unions since the last call.
@@ -70,7 +70,7 @@ public:
     void audit(const partition::Audit& audit) const;
 
 private:
-    [[nodiscard]] std::span<const physics::NextMotion> exchange();
+    [[nodiscard]] std::span<const Vec3> received_increments();
 
     const partition::Communicator* comm_;
     Stopwatch* stopwatch_;

@@ -16,6 +16,10 @@ Range peaks(const Scene& scene, const PartLoad& load, const RankSetting& setting
     return {peak_bytes(scene, load, setting, 0), peak_bytes(scene, load, setting, 1)};
 }
 
+Range exchange_of(std::int64_t messages, std::int64_t unions, std::int64_t masses) {
+    return {MotionExchange::bytes_of_step(messages, unions), MotionExchange::bytes_of_step(messages, masses)};
+}
+
 }  // namespace
 
 Machine look_around(const partition::Communicator& comm) {
@@ -31,17 +35,19 @@ Machine look_around(const partition::Communicator& comm) {
 }
 
 Forecast estimate(const Scene& scene, const CertifiedStep& certified, const Machine& machine) {
-    Forecast forecast{machine.ranks == 1, {}, 0, forecast_output(scene, certified)};
-    std::int64_t sent = 0;
+    Forecast forecast{machine.ranks == 1, {}, {}, forecast_output(scene, certified)};
+    PartLoad all;
     RankSetting setting{machine.ranks, true, machine.process_bytes};
     for (const PartLoad& load : estimated_loads(scene.block, scene.partition, machine.ranks)) {
         const Range here = peaks(scene, load, setting);
         forecast.memory_per_rank = {std::max(forecast.memory_per_rank.intact, here.intact),
                                     std::max(forecast.memory_per_rank.broken, here.broken)};
-        sent += load.sent;
+        all.messages += load.messages;
+        all.sent_unions += load.sent_unions;
+        all.sent += load.sent;
         setting.is_root = false;
     }
-    forecast.exchange_per_step = sent * static_cast<std::int64_t>(sizeof(physics::NextMotion));
+    forecast.exchange_per_step = exchange_of(all.messages, all.sent_unions, all.sent);
     return forecast;
 }
 
@@ -51,7 +57,7 @@ Forecast forecast(const Simulation& simulation, const Machine& machine) {
     const Range here = peaks(simulation.scene(), load, {machine.ranks, comm.is_root(), machine.process_bytes});
     return {true,
             {comm.max(here.intact), comm.max(here.broken)},
-            comm.sum(load.sent) * static_cast<std::int64_t>(sizeof(physics::NextMotion)),
+            exchange_of(comm.sum(load.messages), comm.sum(load.sent_unions), comm.sum(load.sent)),
             forecast_output(simulation.scene(), simulation.certified())};
 }
 

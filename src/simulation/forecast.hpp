@@ -29,9 +29,9 @@ struct Machine {
 
 /// What a run takes.
 struct Forecast {
-    bool is_partitioned{false};         ///< else more than one rank are estimated (see estimated_loads)
-    Range memory_per_rank;              ///< bytes at the peak, of the rank that holds most
-    std::int64_t exchange_per_step{0};  ///< bytes that leave all ranks
+    bool is_partitioned{false};  ///< else more than one rank are estimated (see estimated_loads)
+    Range memory_per_rank;       ///< bytes at the peak, of the rank that holds most
+    Range exchange_per_step;     ///< bytes that leave all ranks
     OutputForecast output;
 };
 

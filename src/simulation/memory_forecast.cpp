@@ -98,10 +98,10 @@ double coat_bytes(const PartLoad& load, double opened) {
 
 double distribution_bytes(const PartLoad& load) {
     constexpr double per_entity = sizeof(EntityId) + sizeof(Rank) + sizeof(std::uint8_t);
-    constexpr double per_mass = sizeof(physics::NextMotion) + exchange_per_mass;
-    constexpr double per_sent = sizeof(LocalMass) + sizeof(physics::VertexSite);
+    constexpr double per_mass =
+        exchange_per_mass + MotionExchange::longest_per_mass + physics::ListedUnions::bytes_per_mass;
     return number(load.local) * per_entity + number(load.received + load.sent) * per_mass +
-           number(load.sent) * per_sent;
+           number(load.received) * sizeof(Vec3);
 }
 
 /// Before the rank has anything else: the owner of every entity of the block, a mark for each, and on the root what METIS takes.

@@ -44,7 +44,7 @@ std::string about(const Forecast& forecast) { return forecast.is_partitioned ? "
 
 std::string ranks_line(int ranks, const Forecast& forecast) {
     return std::to_string(ranks) + " rank(s), SIMD " + physics::simd_target_name() +
-           (ranks == 1 ? "" : ", exchange " + about(forecast) + bytes_text(forecast.exchange_per_step) + " a step");
+           (ranks == 1 ? "" : ", exchange a step " + about(forecast) + range_text(forecast.exchange_per_step));
 }
 
 std::string memory_line(const Forecast& forecast) {

@@ -1,5 +1,6 @@
 #include "simulation/motion_exchange.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 #include "core/contracts.hpp"
@@ -8,8 +9,11 @@ namespace cracksim::simulation {
 
 namespace {
 
-partition::ExchangePlan motion_plan(const partition::Communicator& comm, const physics::Network& network,
-                                    const partition::Decomposition& decomposition) {
+using partition::ExchangePlan;
+using physics::ListedUnions;
+
+ExchangePlan motion_plan(const partition::Communicator& comm, const physics::Network& network,
+                         const partition::Decomposition& decomposition) {
     std::vector<std::int64_t> needed;
     std::vector<Rank> owner;
     for (const LocalMass m : network.received()) {
@@ -31,18 +35,54 @@ std::vector<LocalMass> local_masses(const partition::Decomposition& decompositio
     return masses;
 }
 
+std::vector<ListedUnions> unions_by_side(const physics::UnionTable& unions, std::span<const ExchangePlan::Side> sides,
+                                         std::span<const LocalMass> masses) {
+    std::vector<ListedUnions> found;
+    for (const ExchangePlan::Side& side : sides) {
+        std::vector<LocalMass> listed;
+        listed.reserve(side.places.size());
+        for (const std::size_t place : side.places) {
+            listed.push_back(masses[place]);
+        }
+        found.emplace_back(unions, std::move(listed));
+    }
+    return found;
+}
+
 }  // namespace
 
 MotionExchange::MotionExchange(const partition::Communicator& comm, const physics::Network& network,
-                               const partition::Decomposition& decomposition, const physics::Lattice& lattice)
+                               const partition::Decomposition& decomposition, const physics::State& state)
     : plan_{motion_plan(comm, network, decomposition)},
-      next_{lattice, local_masses(decomposition, plan_.sent())},
-      sent_(plan_.sent().size()),
-      received_(plan_.received().size()) {}
+      sent_{unions_by_side(state.unions, plan_.targets(), local_masses(decomposition, plan_.sent()))},
+      received_{unions_by_side(state.unions, plan_.sources(), network.received())},
+      messages_{comm, neighbours(plan_.targets()), neighbours(plan_.sources())},
+      increments_(network.received().size()) {
+    for (const ListedUnions& unions : sent_) {
+        unions_sent_at_start_ += static_cast<std::int64_t>(unions.entries().size());
+    }
+}
 
-void MotionExchange::start(const physics::Network& network, physics::State& state) const {
+MotionExchange::MessageView::MessageView(std::span<const double> message) {
+    const auto count = static_cast<std::size_t>(message.front());
+    labels = message.subspan(doubles_of_header, doubles_of_label * count);
+    increments = message.subspan(doubles_of_header + labels.size());
+}
+
+std::vector<partition::NeighbourMessages::Neighbour> MotionExchange::neighbours(
+    std::span<const ExchangePlan::Side> sides) {
+    std::vector<partition::NeighbourMessages::Neighbour> found;
+    for (const ExchangePlan::Side& side : sides) {
+        const std::size_t all_alone = side.places.size() * (doubles_of_label + doubles_of_increment);
+        found.push_back({side.rank, doubles_of_header + all_alone});
+    }
+    return found;
+}
+
+void MotionExchange::start(const physics::Network& network, const partition::Decomposition& decomposition,
+                           physics::State& state) const {
     std::vector<physics::StartIncrements> sent;
-    for (const LocalMass m : next_.masses()) {
+    for (const LocalMass m : local_masses(decomposition, plan_.sent())) {
         const physics::Slot s = state.unions.slot(m);
         sent.push_back({state.increment(s), state.velocity_increment(s)});
     }
@@ -51,13 +91,64 @@ void MotionExchange::start(const physics::Network& network, physics::State& stat
     physics::set_received(network, state, received);
 }
 
-std::span<const physics::NextMotion> MotionExchange::next_motions(const physics::Network& network,
-                                                                  physics::State& state, Stopwatch& stopwatch) {
-    next_.find(network, state, sent_);
-    partition::PendingExchange pending = plan_.begin<physics::NextMotion>(sent_, received_);
-    stopwatch.time(Phase::waiting, [&] { pending.end(); });
-    physics::set_received_labels(network, state, received_);
-    return received_;
+std::span<const Vec3> MotionExchange::next_increments(const physics::Network& network, physics::State& state,
+                                                      Stopwatch& stopwatch) {
+    for (std::size_t target = 0; target < sent_.size(); ++target) {
+        write(network, state, target);
+    }
+    messages_.begin();
+    stopwatch.time(Phase::waiting, [&] { messages_.end(); });
+    read_labels(network, state);
+    for (std::size_t source = 0; source < received_.size(); ++source) {
+        read_increments(source);
+    }
+    return increments_;
+}
+
+void MotionExchange::write(const physics::Network& network, const physics::State& state, std::size_t target) {
+    ListedUnions& unions = sent_[target];
+    const std::vector<ListedUnions::Relabelled> relabelled = unions.update(state.unions);
+    const std::size_t before = doubles_of_header + doubles_of_label * relabelled.size();
+    std::vector<double>& message = messages_.outgoing(target);
+    message.resize(before + doubles_of_increment * unions.entries().size());
+    message[0] = static_cast<double>(relabelled.size());
+    auto at = message.begin() + doubles_of_header;
+    for (const auto& [place, label] : relabelled) {
+        *at++ = place;
+        *at++ = label;
+    }
+    physics::find_next_increments(network, state, unions.entries(), std::span{message}.subspan(before));
+    bytes_sent_ += static_cast<std::int64_t>(message.size() * sizeof(double));
+}
+
+void MotionExchange::read_labels(const physics::Network& network, physics::State& state) {
+    std::vector<physics::ReceivedLabel> labels;
+    for (std::size_t source = 0; source < received_.size(); ++source) {
+        const std::span<const double> told = MessageView{messages_.incoming(source)}.labels;
+        for (std::size_t i = 0; i < told.size(); i += doubles_of_label) {
+            labels.push_back(
+                {plan_.sources()[source].places[static_cast<std::size_t>(told[i])], static_cast<int>(told[i + 1])});
+        }
+    }
+    if (labels.empty()) {
+        return;
+    }
+    physics::set_received_labels(network, state, labels);
+    for (ListedUnions& unions : received_) {
+        static_cast<void>(unions.update(state.unions));
+    }
+}
+
+void MotionExchange::read_increments(std::size_t source) {
+    const std::span<const ListedUnions::Entry> unions = received_[source].entries();
+    const std::span<const double> told = MessageView{messages_.incoming(source)}.increments;
+    if (told.size() != doubles_of_increment * unions.size()) {
+        throw std::logic_error{"two ranks know different unions of the same masses"};
+    }
+    for (std::size_t i = 0; i < unions.size(); ++i) {
+        const std::span<const double> next = told.subspan(doubles_of_increment * i, doubles_of_increment);
+        increments_[plan_.sources()[source].places[unions[i].first]] = {next[0], next[1], next[2]};
+    }
 }
 
 }  // namespace cracksim::simulation

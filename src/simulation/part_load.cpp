@@ -74,6 +74,9 @@ PartLoad load_of_box(const Box& box, double roughness) {
                                 box, [](double n, double h) { return n + h - 1; }, with_halo));
     load.received = whole(roughness * box_received);
     load.sent = load.received;
+    load.sent_unions = whole(roughness * (over_axes(box, [](double n, double h) { return n + h + 1; }) -
+                                          over_axes(box, [](double n, double) { return n + 1; })));
+    load.messages = whole(over_axes(box, [](double, double h) { return 1 + h; })) - 1;
     load.boundary_faces = whole(by_axis(
         box, [](double, double h) { return 2 - h; }, owned_cells));
     return load;
@@ -112,6 +115,12 @@ PartLoad load_at_random(const Block& block, int ranks) {
     load.interfaces = block.interior_face_count();
     load.received = whole((1 - touched) * Hexahedron::corners * local);
     load.sent = load.received;
+    // Beside a vertex without own entities, another is local if the 19 others around it are not all elsewhere.
+    const double local_there = Hexahedron::corners * (1 - std::pow(elsewhere, 19));
+    const double others = ranks - 1;
+    const double owners_there = others * (1 - std::pow(1 - 1 / others, local_there));
+    load.sent_unions = whole((1 - touched) * static_cast<double>(block.vertex_count()) * owners_there);
+    load.messages = ranks - 1;
     load.boundary_faces = (Hexahedron::faces * block.entity_count() - 2 * block.interior_face_count()) / ranks;
     return load;
 }
@@ -128,7 +137,9 @@ PartLoad load_of(const Dynamics& dynamics, const Coat& coat) {
     load.vertex_sites = static_cast<std::int64_t>(lattice.vertex_sites());
     load.interfaces = static_cast<std::int64_t>(network.interfaces().size());
     load.received = static_cast<std::int64_t>(network.received().size());
-    load.sent = dynamics.plan().values_sent();
+    load.sent = dynamics.exchange().plan().values_sent();
+    load.sent_unions = dynamics.exchange().unions_sent_at_start();
+    load.messages = static_cast<std::int64_t>(dynamics.exchange().plan().targets().size());
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
         for (int face = 0; network.owned(e) && face < Hexahedron::faces; ++face) {
             load.boundary_faces += coat.map().link(e, face).is_boundary() ? 1 : 0;

@@ -19,6 +19,8 @@ struct PartLoad {
     std::int64_t interfaces{0};      ///< between local entities
     std::int64_t received{0};        ///< masses
     std::int64_t sent{0};            ///< masses, once for each rank that receives them
+    std::int64_t sent_unions{0};     ///< of these masses, at the start, once for each rank that receives them
+    std::int64_t messages{0};        ///< that leave the rank in a step
     std::int64_t boundary_faces{0};  ///< of owned entities, on the block's boundary
 };
 

@@ -61,10 +61,10 @@ io::Summary::Memory memory(const Simulation& simulation) {
 }
 
 io::Summary::Exchange exchange(const Simulation& simulation) {
-    const partition::ExchangePlan& plan = simulation.dynamics().plan();
-    const std::int64_t values = simulation.comm().sum(plan.values_sent());
-    return {static_cast<double>(values) * sizeof(physics::NextMotion),
-            simulation.comm().max(std::int64_t{plan.neighbours()}),
+    const MotionExchange& exchange = simulation.dynamics().exchange();
+    const std::int64_t steps = std::max<std::int64_t>(1, simulation.dynamics().state().step);
+    return {static_cast<double>(simulation.comm().sum(exchange.bytes_sent())) / static_cast<double>(steps),
+            simulation.comm().max(std::int64_t{exchange.plan().neighbours()}),
             simulation.comm().max(simulation.stopwatch().in(Phase::waiting))};
 }
 
@@ -109,9 +109,10 @@ io::Summary summarize(const Simulation& simulation, const Forecast& forecast, st
     summary.times_real_time = summary.time.end / running;
     summary.memory = memory(simulation);
     summary.exchange = exchange(simulation);
-    summary.forecast = {forecast.memory_per_rank.intact, forecast.memory_per_rank.broken,
-                        forecast.exchange_per_step,      forecast.output.bytes.intact,
-                        forecast.output.bytes.broken,    forecast.output.per_interface};
+    summary.forecast = {forecast.memory_per_rank.intact,   forecast.memory_per_rank.broken,
+                        forecast.exchange_per_step.intact, forecast.exchange_per_step.broken,
+                        forecast.output.bytes.intact,      forecast.output.bytes.broken,
+                        forecast.output.per_interface};
     summary.frames = std::move(frames);
     return summary;
 }

@@ -125,13 +125,16 @@ void measure_split(benchmark::State& run, const Subject& subject, double share) 
     run.SetLabel("ns/split");
 }
 
-/// What a cut of the block in two hands over: a mass at each vertex of a plane across x.
+/// What a cut of the block in two hands over: all masses of the entities on one side of a plane across x.
 std::vector<LocalMass> masses_at_cut(const DamagedBlock& block) {
     std::vector<LocalMass> masses;
     const std::int64_t middle = block.network.block().cells()[0] / 2;
     for (LocalEntity e{0}; e.value() < block.network.entity_count(); ++e) {
-        if (block.network.block().cell(block.network.entity(e))[0] == middle) {
-            masses.push_back(local_mass(e, 0));
+        if (block.network.block().cell(block.network.entity(e))[0] != middle) {
+            continue;
+        }
+        for (int corner = 0; corner < Hexahedron::corners; ++corner) {
+            masses.push_back(local_mass(e, corner));
         }
     }
     return masses;
@@ -139,13 +142,14 @@ std::vector<LocalMass> masses_at_cut(const DamagedBlock& block) {
 
 void measure_packing(benchmark::State& run, const Subject& subject) {
     const DamagedBlock& block = subject->get();
-    const physics::NextMotions next{block.state.lattice(), masses_at_cut(block)};
-    std::vector<physics::NextMotion> found(next.masses().size());
-    run.counters["value"] = nanoseconds_each(run, next.masses().size(), [&] {
-        next.find(block.network, block.state, found);
+    physics::ListedUnions cut{block.state.unions, masses_at_cut(block)};
+    std::vector<double> found(3 * cut.entries().size());
+    run.counters["value"] = nanoseconds_each(run, cut.entries().size(), [&] {
+        benchmark::DoNotOptimize(cut.update(block.state.unions));
+        physics::find_next_increments(block.network, block.state, cut.entries(), found);
         benchmark::DoNotOptimize(found.data());
     });
-    run.SetLabel("ns/mass");
+    run.SetLabel("ns/union");
 }
 
 template <class Measurement>

@@ -26,8 +26,9 @@ Scene scene_of(const std::string& cells, const std::string& partition, const std
                       "forecast.yaml", {});
 }
 
-std::array<std::int64_t, 8> counts(const PartLoad& l) {
-    return {l.owned, l.local, l.sites, l.vertex_sites, l.interfaces, l.received, l.sent, l.boundary_faces};
+std::array<std::int64_t, 10> counts(const PartLoad& l) {
+    return {l.owned,    l.local, l.sites,       l.vertex_sites, l.interfaces,
+            l.received, l.sent,  l.sent_unions, l.messages,     l.boundary_faces};
 }
 
 TEST(EstimatedLoads, AreExactForSlabsOfWholeLayers) {
@@ -47,10 +48,12 @@ TEST(EstimatedLoads, AreWithinAQuarterOfMetisParts) {
     for (const PartLoad& load : estimated_loads(scene.block, scene.partition, world().size())) {
         estimated.local += load.local;
         estimated.sent += load.sent;
+        estimated.sent_unions += load.sent_unions;
     }
     const auto near = [](std::int64_t a, std::int64_t b) { return 4 * std::abs(a - b) <= b; };
     EXPECT_PRED2(near, estimated.local, world().sum(found.local));
     EXPECT_PRED2(near, estimated.sent, world().sum(found.sent));
+    EXPECT_PRED2(near, estimated.sent_unions, world().sum(found.sent_unions));
 }
 
 TEST(ModelBytes, AreWhatNetworkStateAndMapHold) {

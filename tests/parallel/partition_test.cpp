@@ -8,6 +8,7 @@
 #include "partition/decomposition.hpp"
 #include "partition/exchange_plan.hpp"
 #include "partition/halo.hpp"
+#include "partition/neighbour_messages.hpp"
 
 namespace cracksim::partition {
 namespace {
@@ -108,6 +109,40 @@ TEST(PendingExchange, HasBroughtAllValuesAtItsEndOrWhenItIsGone) {
             EXPECT_EQ(values[3], round);
         }
     }
+}
+
+TEST(NeighbourMessages, BringWhatEachRankSaysAtAnyLength) {
+    constexpr std::size_t longest = 5000;
+    std::vector<NeighbourMessages::Neighbour> others;
+    for (Rank r{0}; r.value() < world().size(); ++r) {
+        if (r != world().rank()) {
+            others.push_back({r, longest});
+        }
+    }
+    // From rank a to rank b in a round: none, few, more than go without a handshake.
+    const auto length = [](Rank from, Rank to, int round) {
+        return std::array<std::size_t, 3>{0, 7,
+                                          longest}[static_cast<std::size_t>(from.value() + 2 * to.value() + round) % 3];
+    };
+    NeighbourMessages messages{world(), others, others};
+    for (int round = 0; round < 6; ++round) {
+        for (std::size_t i = 0; i < others.size(); ++i) {
+            messages.outgoing(i).assign(length(world().rank(), others[i].rank, round),
+                                        10.0 * world().rank().value() + round);
+        }
+        messages.begin();
+        messages.end();
+        for (std::size_t i = 0; i < others.size(); ++i) {
+            const std::vector<double> expected(length(others[i].rank, world().rank(), round),
+                                               10.0 * others[i].rank.value() + round);
+            EXPECT_TRUE(std::ranges::equal(messages.incoming(i), expected));
+        }
+    }
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        messages.outgoing(i).assign(longest, 1.0);
+    }
+    // What has begun ends with the object.
+    messages.begin();
 }
 
 TEST(Halo, CarriesOwnersValuesOfAnySize) {

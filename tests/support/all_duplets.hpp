@@ -17,4 +17,12 @@ namespace cracksim::test {
     return all;
 }
 
+[[nodiscard]] inline std::vector<LocalMass> all_masses(const physics::Network& network) {
+    std::vector<LocalMass> all;
+    for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
+        all.push_back(m);
+    }
+    return all;
+}
+
 }  // namespace cracksim::test

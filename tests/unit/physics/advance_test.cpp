@@ -43,26 +43,24 @@ TEST(Advance, IsTheSchemeForEveryUnion) {
     }
 }
 
-TEST(NextMotions, AreThoseOfTheAdvanceToTheLastBit) {
+TEST(NextIncrements, AreThoseOfTheAdvanceToTheLastBit) {
     test::SerialBlock block;
     block.cells = {9, 3, 2};
     physics::Support pull{"pull", {Vec3{-1, -1, -1}, Vec3{0.5, 9, 9}}, {}};
     pull.velocity[0] = [](Vec3, double) { return -0.1 / 3; };
     block.supports = {pull};
     const Network network = block.network();
-    std::vector<LocalMass> masses;
-    for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
-        masses.push_back(m);
-    }
     for (const Precision precision : test::both_precisions) {
         State state{network, Scheme::cordis, 0.3, precision};
         test::shake(state, 0.1, 9);
         accumulate_forces(network, state, Measure::nothing);
-        std::vector<NextMotion> next(masses.size());
-        NextMotions{state.lattice(), masses}.find(network, state, next);
+        const ListedUnions all{state.unions, test::all_masses(network)};
+        std::vector<double> next(3 * all.entries().size());
+        find_next_increments(network, state, all.entries(), next);
         advance(network, state, {}, Measure::nothing);
-        for (std::size_t i = 0; i < masses.size(); ++i) {
-            EXPECT_EQ(next[i].increment, state.increment(state.unions.slot(masses[i])));
+        for (std::size_t i = 0; i < all.entries().size(); ++i) {
+            const Vec3 found{next[3 * i], next[3 * i + 1], next[3 * i + 2]};
+            EXPECT_EQ(found, state.increment(all.entries()[i].slot));
         }
     }
 }
