@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/growth.hpp"
 #include "core/sorted.hpp"
 
 namespace cracksim::physics {
@@ -127,6 +128,15 @@ float rounded_down(double limit) {
 
 }  // namespace
 
+void Sensors::StretchedEdges::clear(const StretchedEdges& others) {
+    // A moment in which much breaks must not hold its memory to the end.
+    if (sensors.capacity() > 4 * others.sensors.capacity()) {
+        *this = {};
+    }
+    edges.clear();
+    sensors.clear();
+}
+
 std::vector<LocalDuplet> Sensors::sense(const Network& network, const State& state) {
     if (prefilter_ == Prefilter::off) {
         return sense_all(network, state);
@@ -137,8 +147,7 @@ std::vector<LocalDuplet> Sensors::sense(const Network& network, const State& sta
 
 void Sensors::find_stretched(const Network& network, const State& state) {
     std::swap(now_, before_);
-    now_.edges.clear();
-    now_.sensors.clear();
+    now_.clear(before_);
     auto known = before_.edges.cbegin();
     auto sensors = before_.sensors.cbegin();
     for_each_stretched(state.sensing, [&](Site site, int edge) {
@@ -161,6 +170,7 @@ void Sensors::look_up(const Network& network, const State& state, Site site, int
     const auto [lower, upper] = HexahedronPairs::corners[static_cast<std::size_t>(edge)];
     const std::array<Slot, 2> slot{state.unions.slot(local_mass(e, lower)), state.unions.slot(local_mass(e, upper))};
     const std::array<VertexSite, 2> vertex{vertex_of(slot[0]), vertex_of(slot[1])};
+    make_room(now_.edges, 1);
     StretchedEdge& found =
         now_.edges.emplace_back(StretchedEdge{place_of(site, edge), vertex, revision(state, vertex), 0});
     const int axis = edge / HexahedronPairs::edges_per_axis;
@@ -169,6 +179,7 @@ void Sensors::look_up(const Network& network, const State& state, Site site, int
     for_each_sensor(network, state, copies, here, [&](LocalDuplet d, std::size_t end, LocalEntity copy) {
         const Reach reach = reach_of(network, d);
         const LocalMass far = entity_of(reach.p) == copy ? reach.q : reach.p;
+        make_room(now_.sensors, 1);
         now_.sensors.push_back({slot[1 - end], far, state.lattice().vertex(far), d,
                                 rounded_down(extension_limit(network.threshold(d), state.motion.precision())),
                                 static_cast<std::uint8_t>(axis), end == 1});

@@ -24,6 +24,11 @@ class Sensors {
 public:
     explicit Sensors(Prefilter prefilter) : prefilter_{prefilter} {}
 
+    /// What is kept of a network whose edges are all stretched, by interface: both edges under a sensor know it.
+    [[nodiscard]] static constexpr std::size_t bytes_per_interface() {
+        return Network::duplets_per_interface * 2 * sizeof(SensorOver);
+    }
+
     /// The duplets whose sensors trigger at the current state, ascending, each once. Always of the same network and state.
     [[nodiscard]] std::vector<LocalDuplet> sense(const Network& network, const State& state);
 
@@ -49,6 +54,9 @@ private:
     struct StretchedEdges {
         std::vector<StretchedEdge> edges;
         std::vector<SensorOver> sensors;  ///< edge after edge
+
+        /// Forgets them; of the room, keeps about as much as some others take.
+        void clear(const StretchedEdges& others);
     };
 
     void find_stretched(const Network& network, const State& state);

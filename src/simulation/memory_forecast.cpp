@@ -6,6 +6,7 @@
 #include "core/hexahedron.hpp"
 #include "io/frame_writer.hpp"
 #include "physics/network.hpp"
+#include "physics/sensors.hpp"
 #include "physics/state.hpp"
 #include "simulation/local_surface.hpp"
 #include "simulation/mesh_assembly.hpp"
@@ -75,14 +76,25 @@ double state_bytes(const PartLoad& load, const Time& time) {
            number(load.vertex_sites) * (per_vertex + components * number_bytes(time)) + number(load.interfaces);
 }
 
-/// Unions off the base plane, and what finds them.
+/// Motions of unions off the base plane.
+double pooled_motion_bytes(const PartLoad& load, const Time& time, double opened) {
+    const double components = physics::Pooled::together * (time.scheme == physics::Scheme::ab2 ? 4 : 3);
+    const double unions = masses(load) * (physics::planes - 1) / physics::planes;
+    return opened * unions * with_room * (components * number_bytes(time) + sizeof(physics::PoolPlace));
+}
+
+/// The same, and what finds them.
 double pool_bytes(const PartLoad& load, const Time& time, double opened) {
     constexpr double per_vertex = with_room * physics::planes * sizeof(physics::PoolPlace);
     constexpr double per_site = with_room * sizeof(physics::PooledCorners) / physics::Lattice::half;
-    const double components = physics::Pooled::together * (time.scheme == physics::Scheme::ab2 ? 4 : 3);
-    const double per_union = with_room * (components * number_bytes(time) + sizeof(physics::PoolPlace));
-    const double unions = masses(load) * (physics::planes - 1) / physics::planes;
-    return opened * (unions * per_union + number(load.vertex_sites) * per_vertex + number(load.sites) * per_site);
+    const double lists = number(load.vertex_sites) * per_vertex + number(load.sites) * per_site;
+    return pooled_motion_bytes(load, time, opened) + opened * lists;
+}
+
+/// While all that opens does so at once: the sensors over its edges, and the pool twice as it is put in order.
+double breaking_bytes(const PartLoad& load, const Time& time, double opened) {
+    return opened * number(load.interfaces) * with_room * physics::Sensors::bytes_per_interface() +
+           pooled_motion_bytes(load, time, opened);
 }
 
 /// Links, masks, unions by mass, the search for what came off, twice a tree and pieces, and the free faces with what finds them.
@@ -215,8 +227,8 @@ std::int64_t peak_bytes(const Scene& scene, const PartLoad& load, const RankSett
     const double model = model_bytes(scene, load, opened) + distribution_bytes(load);
     // Events and frames add up: SuperLU_DIST, which comes with PETSc, sets the allocator to give nothing back to the system, and the
     // pieces that a coat leaves are too small for a frame.
-    const double running =
-        model + event_bytes(scene, load, setting, opened) + frame_bytes(scene, load, setting, opened);
+    const double running = model + breaking_bytes(load, scene.time, opened) +
+                           event_bytes(scene, load, setting, opened) + frame_bytes(scene, load, setting, opened);
     const double phases = libraries_in_use + std::max(partition_bytes(scene, setting), running);
     return setting.process_bytes + std::llround(std::max(phases, between(least_in_use, opened)));
 }
