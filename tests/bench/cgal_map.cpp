@@ -4,6 +4,37 @@
 
 namespace cracksim::test {
 
+namespace {
+
+using Map = CgalMap::Map;
+
+/// A dart of each lower face of a hexahedron, by axis, from the one that CGAL returns.
+std::array<Map::Dart_handle, 3> lower_darts(Map& map, Map::Dart_handle first) {
+    return {first, map.alpha<2>(first), map.alpha<1, 2>(first)};
+}
+
+/// The dart of the upper face that meets the neighbour's lower one.
+Map::Dart_handle opposite(Map& map, Map::Dart_handle lower) { return map.alpha<2, 1, 0, 1, 2>(lower); }
+
+}  // namespace
+
+Map CgalMap::build(const std::array<std::int64_t, 3>& cells) {
+    Map map;
+    std::vector<std::array<Map::Dart_handle, 3>> lower;
+    lower.reserve(static_cast<std::size_t>(cells[0] * cells[1] * cells[2]));
+    const std::array<std::int64_t, 3> stride{1, cells[0], cells[0] * cells[1]};
+    for (std::int64_t e = 0; e < cells[0] * cells[1] * cells[2]; ++e) {
+        lower.push_back(lower_darts(map, map.make_combinatorial_hexahedron()));
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (e / stride[axis] % cells[axis] > 0) {
+                const auto before = static_cast<std::size_t>(e - stride[axis]);
+                map.sew<3>(opposite(map, lower[before][axis]), lower.back()[axis]);
+            }
+        }
+    }
+    return map;
+}
+
 CgalMap::CgalMap(const std::array<std::int64_t, 3>& cells)
     : map_{CgalBlock{cells}.map()}, upper_(static_cast<std::size_t>(3 * cells[0] * cells[1] * cells[2])) {
     for (auto dart = map_.darts().begin(); dart != map_.darts().end(); ++dart) {

@@ -16,6 +16,9 @@ public:
 
     explicit CgalMap(const std::array<std::int64_t, 3>& cells);
 
+    /// The block alone, without names of darts: hexahedra, and their faces sewn.
+    [[nodiscard]] static Map build(const std::array<std::int64_t, 3>& cells);
+
     void unsew(const std::vector<std::int64_t>& faces);
     /// Sums over all darts, met volume corner by volume corner, or vertex by vertex.
     [[nodiscard]] std::int64_t walk_corners();

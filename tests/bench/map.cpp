@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <numeric>
 #include <random>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/block.hpp"
@@ -106,6 +108,23 @@ void build(benchmark::State& state) {
     }
     state.counters["bytes_per_entity"] =
         static_cast<double>(whole_map().memory_bytes()) / static_cast<double>(block().entity_count());
+}
+
+/// Throws std::logic_error if the map is not the block.
+void build_cgal(benchmark::State& state) {
+    for ([[maybe_unused]] auto _ : state) {
+        CgalMap::Map map = CgalMap::build(cells);
+        benchmark::DoNotOptimize(map);
+        state.PauseTiming();
+        const auto count = map.count_cells({0, 3, 4});
+        if (!map.is_valid() || std::cmp_not_equal(count[0], block().vertex_count()) ||
+            std::cmp_not_equal(count[3], block().entity_count()) || count[4] != 1) {
+            throw std::logic_error{"CGAL's map is not the block"};
+        }
+        state.ResumeTiming();
+    }
+    state.counters["bytes_per_entity"] =
+        static_cast<double>(CgalMap::build(cells).bytes()) / static_cast<double>(block().entity_count());
 }
 
 void unsew_random(benchmark::State& state) {
@@ -216,6 +235,7 @@ void register_all() {
         benchmark::RegisterBenchmark(name, measure)->Unit(benchmark::kMillisecond);
     };
     of_cracksim("build", build);
+    of_cracksim("build/CGAL", build_cgal);
     of_cracksim("unsew", unsew_random);
     of_cracksim("unsew/CGAL", unsew_random_cgal);
     of_cracksim("corners", walk_corners);
