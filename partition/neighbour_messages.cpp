@@ -24,9 +24,11 @@ NeighbourMessages::NeighbourMessages(const Communicator& comm, const std::vector
                                      const std::vector<Neighbour>& sources)
     : comm_{&comm} {
     for (const auto& [rank, longest] : targets) {
+        static_cast<void>(as_count(longest));
         outgoing_.push_back({rank, longest, {}});
     }
     for (const auto& [rank, longest] : sources) {
+        static_cast<void>(as_count(longest));
         incoming_.push_back({rank, std::vector<double>(longest)});
     }
     requests_.reserve(outgoing_.size() + incoming_.size());
@@ -34,14 +36,17 @@ NeighbourMessages::NeighbourMessages(const Communicator& comm, const std::vector
 
 void NeighbourMessages::begin() {
     CRACKSIM_EXPECT(requests_.empty());
+    // Nothing may fail once receives are posted: their end would be waited for, for ever.
+    for (const Outgoing& message : outgoing_) {
+        CRACKSIM_EXPECT(message.values.size() <= message.longest);
+    }
     for (Incoming& message : incoming_) {
-        requests_.emplace_back();
+        requests_.push_back(MPI_REQUEST_NULL);
         MPI_Irecv(message.values.data(), as_count(message.values.size()), MPI_DOUBLE, message.rank.value(), tag,
                   comm_->handle(), &requests_.back());
     }
     for (const Outgoing& message : outgoing_) {
-        CRACKSIM_EXPECT(message.values.size() <= message.longest);
-        requests_.emplace_back();
+        requests_.push_back(MPI_REQUEST_NULL);
         MPI_Isend(message.values.data(), as_count(message.values.size()), MPI_DOUBLE, message.rank.value(), tag,
                   comm_->handle(), &requests_.back());
     }

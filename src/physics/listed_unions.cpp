@@ -1,7 +1,10 @@
 #include "physics/listed_unions.hpp"
 
+#include <limits>
 #include <unordered_map>
 #include <utility>
+
+#include "core/hash.hpp"
 
 namespace cracksim::physics {
 
@@ -33,6 +36,12 @@ std::vector<ListedUnions::Relabelled> ListedUnions::update(const UnionTable& uni
 }
 
 void ListedUnions::find_entries() {
+    constexpr unsigned bits = 53;
+    std::uint64_t labels = 0;
+    for (const std::uint8_t label : label_) {
+        labels = mix(labels + label);
+    }
+    fingerprint_ = labels >> (std::numeric_limits<std::uint64_t>::digits - bits);
     entries_.clear();
     for (std::uint32_t place = 0; place < masses_.size(); ++place) {
         if (!is_listed_before(place)) {

@@ -29,6 +29,8 @@ public:
 
     [[nodiscard]] std::span<const LocalMass> masses() const { return masses_; }
     [[nodiscard]] std::span<const Entry> entries() const { return entries_; }
+    /// Of the masses' labels, 53 bits: other ones where two lists fell apart in different ways.
+    [[nodiscard]] std::uint64_t fingerprint() const { return fingerprint_; }
     /// Takes over the labels of the table; which masses have new ones since the last call, ascending.
     [[nodiscard]] std::vector<Relabelled> update(const UnionTable& unions);
 
@@ -44,6 +46,7 @@ private:
     std::vector<std::uint8_t> label_;
     std::vector<std::uint32_t> before_;  ///< the last mass before this one in the list at the same vertex; none
     std::vector<Entry> entries_;
+    std::uint64_t fingerprint_{0};
 };
 
 }  // namespace cracksim::physics

@@ -49,6 +49,12 @@ std::vector<ListedUnions> unions_by_side(const physics::UnionTable& unions, std:
     return found;
 }
 
+void require(bool agreed) {
+    if (!agreed) {
+        throw std::logic_error{"two ranks know different unions of the same masses"};
+    }
+}
+
 }  // namespace
 
 MotionExchange::MotionExchange(const partition::Communicator& comm, const physics::Network& network,
@@ -64,9 +70,12 @@ MotionExchange::MotionExchange(const partition::Communicator& comm, const physic
 }
 
 MotionExchange::MessageView::MessageView(std::span<const double> message) {
-    const auto count = static_cast<std::size_t>(message.front());
-    labels = message.subspan(doubles_of_header, doubles_of_label * count);
-    increments = message.subspan(doubles_of_header + labels.size());
+    require(message.size() >= doubles_of_header);
+    const auto doubles = doubles_of_label * static_cast<std::size_t>(message[0]);
+    require(message.size() >= doubles_of_header + doubles);
+    fingerprint = static_cast<std::uint64_t>(message[1]);
+    labels = message.subspan(doubles_of_header, doubles);
+    increments = message.subspan(doubles_of_header + doubles);
 }
 
 std::vector<partition::NeighbourMessages::Neighbour> MotionExchange::neighbours(
@@ -112,6 +121,7 @@ void MotionExchange::write(const physics::Network& network, const physics::State
     std::vector<double>& message = messages_.outgoing(target);
     message.resize(before + doubles_of_increment * unions.entries().size());
     message[0] = static_cast<double>(relabelled.size());
+    message[1] = static_cast<double>(unions.fingerprint());
     auto at = message.begin() + doubles_of_header;
     for (const auto& [place, label] : relabelled) {
         *at++ = place;
@@ -126,8 +136,10 @@ void MotionExchange::read_labels(const physics::Network& network, physics::State
     for (std::size_t source = 0; source < received_.size(); ++source) {
         const std::span<const double> told = MessageView{messages_.incoming(source)}.labels;
         for (std::size_t i = 0; i < told.size(); i += doubles_of_label) {
-            labels.push_back(
-                {plan_.sources()[source].places[static_cast<std::size_t>(told[i])], static_cast<int>(told[i + 1])});
+            const auto place = static_cast<std::size_t>(told[i]);
+            const auto label = static_cast<int>(told[i + 1]);
+            require(place < received_[source].masses().size() && label < physics::planes);
+            labels.push_back({plan_.sources()[source].places[place], label});
         }
     }
     if (labels.empty()) {
@@ -141,10 +153,10 @@ void MotionExchange::read_labels(const physics::Network& network, physics::State
 
 void MotionExchange::read_increments(std::size_t source) {
     const std::span<const ListedUnions::Entry> unions = received_[source].entries();
-    const std::span<const double> told = MessageView{messages_.incoming(source)}.increments;
-    if (told.size() != doubles_of_increment * unions.size()) {
-        throw std::logic_error{"two ranks know different unions of the same masses"};
-    }
+    const MessageView message{messages_.incoming(source)};
+    const std::span<const double> told = message.increments;
+    require(message.fingerprint == received_[source].fingerprint() &&
+            told.size() == doubles_of_increment * unions.size());
     for (std::size_t i = 0; i < unions.size(); ++i) {
         const std::span<const double> next = told.subspan(doubles_of_increment * i, doubles_of_increment);
         increments_[plan_.sources()[source].places[unions[i].first]] = {next[0], next[1], next[2]};

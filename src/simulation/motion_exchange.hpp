@@ -21,8 +21,9 @@ namespace cracksim::simulation {
 /// Brings the motion of the received masses from the owners of their entities: of each union once. Both sides of a message keep the
 /// unions of its masses, and tell each other new labels, so that a message needs no ids.
 class MotionExchange {
-    // A message has the number of new labels; place and label of each; the increment of each union, with the new labels.
-    static constexpr std::size_t doubles_of_header = 1;
+    // A message has the number of new labels and the fingerprint of all labels, new ones included; place and label of each new one; the
+    // increment of each union.
+    static constexpr std::size_t doubles_of_header = 2;
     static constexpr std::size_t doubles_of_label = 2;
     static constexpr std::size_t doubles_of_increment = 3;
 
@@ -50,15 +51,17 @@ public:
     void start(const physics::Network& network, const partition::Decomposition& decomposition,
                physics::State& state) const;
     /// Takes over the labels of the received masses; returns their next increments for physics::advance, valid until the next call.
-    /// Books the time that it waits for other ranks. Collective.
+    /// Books the time that it waits for other ranks. Throws std::logic_error if an owner knows other labels than this rank. Collective.
     [[nodiscard]] std::span<const Vec3> next_increments(const physics::Network& network, physics::State& state,
                                                         Stopwatch& stopwatch);
 
 private:
     /// The parts of a message.
     struct MessageView {
+        /// Throws std::logic_error if the message is shorter than it says.
         explicit MessageView(std::span<const double> message);
 
+        std::uint64_t fingerprint;
         std::span<const double> labels;
         std::span<const double> increments;
     };

@@ -145,6 +145,27 @@ TEST(NeighbourMessages, BringWhatEachRankSaysAtAnyLength) {
     messages.begin();
 }
 
+TEST(NeighbourMessages, GoOneWayAndFitTheBoundsOfTheirSources) {
+    // Each rank tells the next one, as far as there is one.
+    const std::int32_t here = world().rank().value();
+    using Neighbours = std::vector<NeighbourMessages::Neighbour>;
+    const auto bound = [](std::int32_t from) { return static_cast<std::size_t>(10 * (from + 1)); };
+    const Neighbours targets = here + 1 < world().size() ? Neighbours{{Rank{here + 1}, bound(here)}} : Neighbours{};
+    const Neighbours sources = here > 0 ? Neighbours{{Rank{here - 1}, bound(here - 1)}} : Neighbours{};
+    NeighbourMessages messages{world(), targets, sources};
+    for (int round = 0; round < 4; ++round) {
+        if (!targets.empty()) {
+            messages.outgoing(0).assign(bound(here), here + 0.5 * round);
+        }
+        messages.begin();
+        messages.end();
+        if (!sources.empty()) {
+            EXPECT_TRUE(
+                std::ranges::equal(messages.incoming(0), std::vector<double>(bound(here - 1), here - 1 + 0.5 * round)));
+        }
+    }
+}
+
 TEST(Halo, CarriesOwnersValuesOfAnySize) {
     const Block block{{5, 4, 3}, {1, 1, 1}, {}};
     const Decomposition d = decompose(world(), block, partition_at_random);
