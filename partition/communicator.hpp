@@ -49,8 +49,12 @@ public:
     template <class T>
     [[nodiscard]] std::vector<T> gather(std::span<const T> values) const {
         static_assert(std::is_trivially_copyable_v<T>);
-        const std::vector<std::byte> all = gather_bytes(std::as_bytes(values));
-        return from_bytes<T>(all);
+        std::vector<std::byte> all = gather_bytes(std::as_bytes(values));
+        if constexpr (std::is_same_v<T, std::byte>) {
+            return all;
+        } else {
+            return from_bytes<T>(all);
+        }
     }
 
     /// The same on every rank.

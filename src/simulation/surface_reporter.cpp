@@ -13,7 +13,7 @@ SurfaceNews SurfaceReporter::report(const Dynamics& dynamics, const Coat& coat) 
     SurfaceNews news;
     tell_changes(dynamics.network(), coat, news);
     tell_fragments(coat, news);
-    tell_positions(dynamics.evolution(), news);
+    tell_positions(dynamics.state(), news);
     return news;
 }
 
@@ -26,6 +26,7 @@ SurfaceNews::Face SurfaceReporter::record(const physics::Network& network, const
         told.points[k++] = network.mass(point);
         if (is_point_.insert(point)) {
             points_.push_back(point);
+            vertex_.push_back(network.lattice().vertex(point));
             rest_.push_back(network.rest_position(point));
         }
     }
@@ -56,10 +57,11 @@ void SurfaceReporter::tell_fragments(const Coat& coat, SurfaceNews& news) {
     }
 }
 
-void SurfaceReporter::tell_positions(const MassEvolution& evolution, SurfaceNews& news) const {
-    news.positions.resize(points_.size());
+void SurfaceReporter::tell_positions(const physics::State& state, SurfaceNews& news) const {
+    news.positions.reserve(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
-        news.positions[i] = rest_[i] + evolution.displacement(points_[i]);
+        const physics::Slot slot = physics::slot_of(vertex_[i], state.unions.label(points_[i]));
+        news.positions.push_back(rest_[i] + state.displacement(slot));
     }
 }
 

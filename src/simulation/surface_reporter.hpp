@@ -26,10 +26,11 @@ private:
                                            const LocalSurface::Face& face);
     void tell_changes(const physics::Network& network, const Coat& coat, SurfaceNews& news);
     void tell_fragments(const Coat& coat, SurfaceNews& news);
-    void tell_positions(const MassEvolution& evolution, SurfaceNews& news) const;
+    void tell_positions(const physics::State& state, SurfaceNews& news) const;
 
     std::vector<LocalMass> points_;
-    std::vector<Vec3> rest_;  ///< of points_, m
+    std::vector<physics::VertexSite> vertex_;  ///< of points_
+    std::vector<Vec3> rest_;                   ///< of points_, m
     MassMarks is_point_;
     std::size_t told_changes_{0};
     std::size_t told_points_{0};
