@@ -17,11 +17,21 @@ Vec3 centred_increment(const State& state, Slot s) {
     return increment;
 }
 
+/// Not the same as receiving nothing: a rank may touch all the vertices of another's entity.
+bool owns_all(const Network& network) {
+    for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
+        if (!network.owned(e)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 double kinetic_energy(const Network& network, const State& state) {
     double energy = 0;
-    const bool alone = network.received().empty();
+    const bool alone = owns_all(network);
     state.unions.for_each_advanced_slot([&](Slot s) {
         if (alone || network.owned(entity_of(state.unions.smallest_of_advanced(s)))) {
             const Vec3 increment = centred_increment(state, s);
