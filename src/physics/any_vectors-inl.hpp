@@ -118,12 +118,12 @@ CRACKSIM_INLINE void AddSideInBase(const SweepView<Real>& v, std::size_t site, F
     const std::uint8_t lower_lanes = LanesInBase(v, site, lower);
     const std::uint8_t upper_lanes = LanesInBase(v, site, upper);
     if ((lower_lanes | upper_lanes) == 0) {
-        Deliver<kSide>(v, run, at);
+        Deliver<kSide>(run, at);
         return;
     }
     forces.f[lower] = Where<Real>(lower_lanes, forces.f[lower]);
     forces.f[upper] = Where<Real>(upper_lanes, forces.f[upper]);
-    AddSide<kSide>(v, forces, run, at);
+    AddSide<kSide>(forces, run, at);
 }
 
 /// Carried interactions of entities whose corners' motions are found in `from`.
@@ -145,7 +145,7 @@ HWY_NOINLINE void SweepBase(SweepView<Real>& v, const RowView& row, RowRun<Real>
     Forces<Real> forces;
     Outcome<Real> outcome;
     AddInteractions<kMeasure>(v, row.first_site + at, carried, PlainCornersAt(v, run, at), forces, outcome);
-    AddSides(v, forces, run, at);
+    AddSides(forces, run, at);
     Collect<kMeasure>(v, outcome, OwnedOf(v, row.first_site + at), row.first_site + at, sums);
 }
 
@@ -173,7 +173,7 @@ CRACKSIM_INLINE void SweepAny(SweepView<Real>& v, const RowView& row, RowRun<Rea
     const std::size_t site = row.first_site + at;
     const unsigned carried = CarriedBy(v, site) & ~Merging::properties;
     if (carried == 0) {
-        Deliver(v, run, at);
+        Deliver(run, at);
     } else if (IsBase(v, site)) {
         SweepBase<kMeasure>(v, row, run, at, carried, sums);
     } else {

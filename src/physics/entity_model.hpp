@@ -20,6 +20,10 @@ struct HexahedronPairs {
     static constexpr int diagonals = 4;
     static constexpr int count = edges + diagonals;
     static constexpr int edges_per_axis = 4;
+    /// The edges along x, y, z, and the diagonals: within a kind, constants are the same but for the signs of d0.
+    static constexpr int per_kind = 4;
+    static constexpr int kinds = count / per_kind;
+    static_assert(per_kind == edges_per_axis && per_kind == diagonals);
     static constexpr std::array<std::array<int, 2>, count> corners{{{0, 1},
                                                                     {3, 2},
                                                                     {4, 5},

@@ -8,22 +8,22 @@ namespace cracksim::physics {
 namespace {
 
 template <class Real>
-InteractionConstants<Real> constants(const EntityModel& model, std::size_t i, double dt) {
+InteractionConstants<Real> constants(const EntityModel& model, std::size_t kind, double dt) {
     const auto real = [](double value) { return static_cast<Real>(value); };
-    const Vec3 rest = model.rest[i];
+    const std::size_t i = kind * HexahedronPairs::per_kind;
     const double squared = model.rest_length[i] * model.rest_length[i];
-    return {{real(rest.x), real(rest.y), real(rest.z)},
-            real(1 / squared),
-            real(model.elasticity[i].stiffness),
-            real(model.elasticity[i].viscosity / (dt * squared)),
-            real(0.5 * model.elasticity[i].stiffness * squared)};
+    return {real(1 / squared), real(model.elasticity[i].stiffness),
+            real(model.elasticity[i].viscosity / (dt * squared)), real(0.5 * model.elasticity[i].stiffness * squared)};
 }
 
 template <class Real>
 SweepView<Real> inputs_of(const Network& network, const State& state) {
     SweepView<Real> v{};
-    for (std::size_t i = 0; i < v.interaction.size(); ++i) {
-        v.interaction[i] = constants<Real>(network.model(), i, state.step_size);
+    for (std::size_t kind = 0; kind < v.kind.size(); ++kind) {
+        v.kind[kind] = constants<Real>(network.model(), kind, state.step_size);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        v.edge[axis] = static_cast<Real>(network.model().rest_corner[6][axis]);
     }
     v.velocity_quantity = state.velocity_quantity();
     v.pooled_of_half = state.pooled.index();

@@ -39,8 +39,7 @@ template <class Real>
 struct Outcome {
     V<Real> dissipated;
     V<Real> elastic;
-    V<Real> shortest;                           ///< of the extensions and 0
-    V<Real> longest;                            ///< of the extensions and 0
+    V<Real> largest;                            ///< of the extensions' magnitudes
     bool any_exceeded;                          ///< false: no edge is stretched beyond its limit
     unsigned exceeded[HexahedronPairs::edges];  ///< by edge, a bit a lane
 };
@@ -56,14 +55,22 @@ struct Interactions {
     V<Real> factor[HexahedronPairs::count];
 };
 
-/// Adds what the components of du and dw along an axis tell, axes ascending.
+constexpr std::size_t kind_of(std::size_t interaction) { return interaction / HexahedronPairs::per_kind; }
+
+/// The sign of d0 along an axis; edges of a box lie along one.
+constexpr int sign_of_rest(std::size_t interaction, std::size_t axis) {
+    const auto [a, b] = HexahedronPairs::corners[interaction];
+    return Hexahedron::offset[static_cast<std::size_t>(b)][axis] -
+           Hexahedron::offset[static_cast<std::size_t>(a)][axis];
+}
+
+/// Adds what the components of du and dw along an axis tell, axes ascending. edge: the length of an entity along it.
 template <std::size_t I, std::size_t kAxis, class Real>
-HWY_INLINE void AddComponent(const InteractionConstants<Real>& c, V<Real> du, V<Real> dw, Interactions<Real>& all) {
-    // Edges of a box lie along an axis: across it, d and 2 d0 + du are du.
-    constexpr bool rests = I >= HexahedronPairs::edges || I / HexahedronPairs::edges_per_axis == kAxis;
-    const V<Real> rest = Same<Real>(c.rest[kAxis]);
-    const V<Real> distance = rests ? hn::Add(rest, du) : du;
-    const V<Real> twice = rests ? hn::Add(rest, distance) : du;
+HWY_INLINE void AddComponent(V<Real> edge, V<Real> du, V<Real> dw, Interactions<Real>& all) {
+    constexpr int sign = sign_of_rest(I, kAxis);
+    const auto from_rest = [&](V<Real> v) { return sign == 0 ? v : sign > 0 ? hn::Add(edge, v) : hn::Sub(v, edge); };
+    const V<Real> distance = from_rest(du);
+    const V<Real> twice = from_rest(distance);
     all.distance[kAxis][I] = distance;
     all.extension[I] = kAxis == 0 ? hn::Mul(twice, du) : hn::MulAdd(twice, du, all.extension[I]);
     all.rate[I] = kAxis == 0 ? hn::Mul(dw, distance) : hn::MulAdd(dw, distance, all.rate[I]);
@@ -85,58 +92,90 @@ CRACKSIM_INLINE void ForEach(Action&& action) {
     (std::make_index_sequence<kCount>{});
 }
 
-/// All between these are in the range of NearRatios.
+/// A magnitude is within a bound.
 template <class Real>
-HWY_INLINE auto IsNear(V<Real> shortest, V<Real> longest) {
-    return hn::And(hn::Ge(shortest, Same<Real>(Series::shortest)), hn::Le(longest, Same<Real>(Series::longest)));
+HWY_INLINE auto IsWithin(V<Real> magnitude, double bound) {
+    return hn::Le(magnitude, Same<Real>(bound));
+}
+template <class Real>
+HWY_INLINE bool AreWithin(V<Real> magnitudes, double bound) {
+    return hn::AllTrue(D<Real>{}, IsWithin<Real>(magnitudes, bound));
 }
 
-/// For -0.35 <= x <= 0.5, without division or root. g0 = x P(x) is right to 0.1 %; with the residual R = (1 + x)(1 - g0)^2 - 1,
-/// r = (1 - g0)(1 + R)^(-1/2) to the third power of R, in single precision the second: to the last bits of g, relative to g, however
-/// small x. Of several x at once: one is a long chain of operations, and the processor works on several chains only where they
-/// are close to each other in the program.
-template <std::size_t kCount, class Real>
-CRACKSIM_INLINE void NearRatios(const V<Real> (&x)[kCount], Ratio<Real> (&ratio)[kCount]) {
+/// Loaded once: the compiler would rather load a constant again for each of its uses, and loads take as long as what is done with them.
+template <class Real>
+HWY_INLINE V<Real> InRegister(V<Real> v) {
+#if HWY_TARGET <= HWY_AVX2
+    asm("" : "+v"(v.raw));
+#endif
+    return v;
+}
+
+/// The larger magnitude.
+template <class Real>
+HWY_INLINE V<Real> LargerMagnitude(V<Real> a, V<Real> b) {
+#if HWY_TARGET <= HWY_AVX3
+    // One instruction, which Highway has no name for.
+    static_assert(is_whole_batch<Real>);
+    constexpr int larger_magnitude_without_sign = 0b1011;
+    V<Real> larger;
+    if constexpr (sizeof(Real) > sizeof(float)) {
+        larger.raw = _mm512_range_pd(a.raw, b.raw, larger_magnitude_without_sign);
+    } else {
+        larger.raw = _mm256_range_ps(a.raw, b.raw, larger_magnitude_without_sign);
+    }
+    return larger;
+#else
+    return hn::Max(hn::Abs(a), hn::Abs(b));
+#endif
+}
+
+/// How large extensions are: within Extension::small, within Extension::near, whatever they are.
+enum class Range { small, near, any };
+
+/// Within the range, without division or root: g = x P(x), and beyond `small` better by a third-order step for
+/// the residual R = (1 + x)(1 - g)^2 - 1, in single precision of second order: to the last bits of g, relative to g, however small x.
+/// The bits for one x are the same in both ranges. Of several x at once: one is a long chain of operations, and the processor works on
+/// several chains only where they are close to each other in the program.
+template <Range kRange, std::size_t kCount, class Real>
+CRACKSIM_INLINE void SeriesRatios(const V<Real> (&x)[kCount], Ratio<Real> (&ratio)[kCount]) {
+    constexpr auto& p = Series<Real>::p;
     const V<Real> one = Same<Real>(1.0);
-    V<Real> p[kCount];
-    V<Real> g0[kCount];
-    V<Real> r0[kCount];
-    V<Real> residual[kCount];
-    V<Real> q[kCount];
-    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA {
-        p[i] = hn::MulAdd(Same<Real>(Series::p4), x[i], Same<Real>(Series::p3));
+    V<Real> g[kCount];
+    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { g[i] = Same<Real>(p.back()); });
+    ForEach<p.size() - 1>([&](auto term) CRACKSIM_INLINE_LAMBDA {
+        const V<Real> coefficient = InRegister<Real>(Same<Real>(p[p.size() - 2 - term]));
+        ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { g[i] = hn::MulAdd(g[i], x[i], coefficient); });
     });
-    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { p[i] = hn::MulAdd(p[i], x[i], Same<Real>(Series::p2)); });
-    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { p[i] = hn::MulAdd(p[i], x[i], Same<Real>(Series::p1)); });
-    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { p[i] = hn::MulAdd(p[i], x[i], Same<Real>(Series::p0)); });
-    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { g0[i] = hn::Mul(p[i], x[i]); });
-    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { r0[i] = hn::Sub(one, g0[i]); });
-    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { residual[i] = hn::Mul(g0[i], hn::Add(one, r0[i])); });
-    ForEach<kCount>([&](auto i)
-                        CRACKSIM_INLINE_LAMBDA { residual[i] = hn::NegMulAdd(residual[i], hn::Add(one, x[i]), x[i]); });
+    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { g[i] = hn::Mul(g[i], x[i]); });
+    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { ratio[i] = {g[i], hn::Sub(one, g[i])}; });
+    if constexpr (kRange == Range::small) {
+        return;
+    }
     ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA {
-        q[i] = Same<Real>(-3.0 / 8);
+        const V<Real> r = ratio[i].inverse;
+        const V<Real> residual = hn::NegMulAdd(hn::Mul(g[i], hn::Add(one, r)), hn::Add(one, x[i]), x[i]);
+        V<Real> step = Same<Real>(-3.0 / 8);
         if constexpr (sizeof(Real) > sizeof(float)) {
-            q[i] = hn::MulAdd(residual[i], Same<Real>(5.0 / 16), q[i]);
+            step = hn::MulAdd(residual, Same<Real>(5.0 / 16), step);
         }
+        step = hn::Mul(r, hn::Mul(residual, hn::MulAdd(step, residual, Same<Real>(0.5))));
+        step = hn::IfThenZeroElse(IsWithin<Real>(hn::Abs(x[i]), Extension::small), step);
+        ratio[i] = {hn::Add(g[i], step), hn::Sub(r, step)};
     });
-    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { q[i] = hn::MulAdd(q[i], residual[i], Same<Real>(0.5)); });
-    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { q[i] = hn::Mul(residual[i], q[i]); });
-    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { q[i] = hn::Mul(r0[i], q[i]); });
-    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { ratio[i] = {hn::Add(g0[i], q[i]), hn::Sub(r0[i], q[i])}; });
 }
 
-/// Whatever x; in the range of NearRatios with its bits. A vanished length has no direction: no force.
+/// Whatever x; in the range of SeriesRatios with its bits. A vanished length has no direction: no force.
 template <class Real>
 CRACKSIM_INLINE Ratio<Real> AnyRatio(V<Real> x) {
     const V<Real> one = Same<Real>(1.0);
     const V<Real> squared = hn::Add(one, x);
     const V<Real> length = hn::Sqrt(squared);
-    const auto vanished = hn::Lt(squared, Same<Real>(Series::tiny_squared));
+    const auto vanished = hn::Lt(squared, Same<Real>(Extension::tiny_squared));
     Ratio<Real> nearby[1];
-    NearRatios<1, Real>({x}, nearby);
+    SeriesRatios<Range::near, 1, Real>({x}, nearby);
     const Ratio<Real> near = nearby[0];
-    const auto is_near = IsNear<Real>(x, x);
+    const auto is_near = IsWithin<Real>(hn::Abs(x), Extension::near);
     const V<Real> g = hn::IfThenElse(is_near, near.shortfall, hn::Div(x, hn::Add(squared, length)));
     const V<Real> r = hn::IfThenElse(is_near, near.inverse, hn::Div(one, length));
     return {hn::IfThenZeroElse(vanished, g), hn::IfThenZeroElse(vanished, r)};
@@ -146,7 +185,7 @@ CRACKSIM_INLINE Ratio<Real> AnyRatio(V<Real> x) {
 template <class Real>
 HWY_INLINE V<Real> SquaredStretch(V<Real> x, const Ratio<Real>& ratio) {
     const V<Real> squared = hn::Add(Same<Real>(1.0), x);
-    const auto vanished = hn::Lt(squared, Same<Real>(Series::tiny_squared));
+    const auto vanished = hn::Lt(squared, Same<Real>(Extension::tiny_squared));
     const V<Real> g2 = hn::Mul(ratio.shortfall, ratio.shortfall);
     return hn::IfThenElse(vanished, Same<Real>(1.0), hn::Mul(g2, squared));
 }
@@ -154,9 +193,9 @@ HWY_INLINE V<Real> SquaredStretch(V<Real> x, const Ratio<Real>& ratio) {
 /// Completes the extension of interaction I, and finds what decides about the range of the series. kPlain: no entity is void, so all
 /// ends are its corners.
 template <std::size_t I, bool kPlain, bool kFar, class Real>
-CRACKSIM_INLINE void Complete(const InteractionConstants<Real>& c, Interactions<Real>& all, Outcome<Real>& sums) {
+CRACKSIM_INLINE void Complete(const SweepView<Real>& v, Interactions<Real>& all, Outcome<Real>& sums) {
     V<Real>& extension = all.extension[I];
-    extension = hn::Mul(Same<Real>(c.inverse_squared_length), extension);
+    extension = hn::Mul(Same<Real>(v.kind[kind_of(I)].inverse_squared_length), extension);
     if constexpr (!kPlain) {
         // The ends of what is void or carried by another entity may be anywhere, so far apart that 0 times their force is no zero.
         const auto carried = hn::Ne(all.weight[I], hn::Zero(D<Real>{}));
@@ -164,8 +203,7 @@ CRACKSIM_INLINE void Complete(const InteractionConstants<Real>& c, Interactions<
         all.rate[I] = hn::IfThenElseZero(carried, all.rate[I]);
     }
     if constexpr (!kFar) {
-        sums.shortest = hn::Min(sums.shortest, extension);
-        sums.longest = hn::Max(sums.longest, extension);
+        sums.largest = LargerMagnitude<Real>(sums.largest, extension);
     }
 }
 
@@ -184,7 +222,7 @@ CRACKSIM_INLINE void FindExceeded(const LimitsHere& limits, const Interactions<R
     if constexpr (numbers[0] < HexahedronPairs::edges) {
         if constexpr (kMostlyNone) {
             const V<Real> lowest = Same<Real>(static_cast<double>(limits.lowest));
-            if (hn::AllFalse(D<Real>{}, hn::Gt(outcome.longest, lowest))) {
+            if (hn::AllFalse(D<Real>{}, hn::Gt(outcome.largest, lowest))) {
                 return;
             }
         }
@@ -200,19 +238,19 @@ CRACKSIM_INLINE void FindExceeded(const LimitsHere& limits, const Interactions<R
 }
 
 /// The force on the first corner over d, `weight` times: weight (k g + z' q r^2) with q = dw.d, z' = z/(dt L0^2).
-template <bool kFar, bool kMeasure, class Real, std::size_t... I>
+template <Range kRange, bool kMeasure, class Real, std::size_t... I>
 CRACKSIM_INLINE void FindSomeFactors(const SweepView<Real>& v, Interactions<Real>& all, Outcome<Real>& sums,
                                      std::index_sequence<I...>) {
     const V<Real> extension[]{all.extension[I]...};
     Ratio<Real> ratio[sizeof...(I)];
-    if constexpr (kFar) {
+    if constexpr (kRange == Range::any) {
         ForEach<sizeof...(I)>([&](auto i) CRACKSIM_INLINE_LAMBDA { ratio[i] = AnyRatio<Real>(extension[i]); });
     } else {
-        NearRatios<sizeof...(I), Real>(extension, ratio);
+        SeriesRatios<kRange, sizeof...(I), Real>(extension, ratio);
     }
     std::size_t at = 0;
     const auto find = [&](auto i) CRACKSIM_INLINE_LAMBDA {
-        const InteractionConstants<Real>& c = v.interaction[i];
+        const InteractionConstants<Real>& c = v.kind[kind_of(i)];
         const V<Real> weight = all.weight[i];
         const V<Real> inverse = ratio[at].inverse;
         const V<Real> drag = hn::Mul(hn::Mul(Same<Real>(c.viscosity_rate), all.rate[i]), hn::Mul(inverse, inverse));
@@ -228,20 +266,22 @@ CRACKSIM_INLINE void FindSomeFactors(const SweepView<Real>& v, Interactions<Real
     (find(std::integral_constant<std::size_t, I>{}), ...);
 }
 
-/// Interactions that are computed together.
-constexpr std::size_t together = 4;
+/// Interactions that are computed together, at most.
+constexpr std::size_t together = 5;
 
-template <bool kFar, bool kMeasure, std::size_t kFirst = 0, class Real, std::size_t... I>
+template <Range kRange, bool kMeasure, std::size_t kFirst = 0, class Real, std::size_t... I>
 CRACKSIM_INLINE void FindFactors(const SweepView<Real>& v, Interactions<Real>& all, Outcome<Real>& sums,
                                  std::index_sequence<I...> list) {
     constexpr std::array<std::size_t, sizeof...(I)> numbers{I...};
-    constexpr std::size_t some = std::min(together, numbers.size() - kFirst);
+    constexpr std::size_t left = numbers.size() - kFirst;
+    constexpr std::size_t parts = (left + together - 1) / together;
+    constexpr std::size_t some = (left + parts - 1) / parts;
     [&]<std::size_t... K>(std::index_sequence<K...>) CRACKSIM_INLINE_LAMBDA {
-        FindSomeFactors<kFar, kMeasure>(v, all, sums, std::index_sequence<numbers[kFirst + K]...>{});
+        FindSomeFactors<kRange, kMeasure>(v, all, sums, std::index_sequence<numbers[kFirst + K]...>{});
     }
     (std::make_index_sequence<some>{});
     if constexpr (kFirst + some < numbers.size()) {
-        FindFactors<kFar, kMeasure, kFirst + some>(v, all, sums, list);
+        FindFactors<kRange, kMeasure, kFirst + some>(v, all, sums, list);
     }
 }
 
@@ -249,7 +289,7 @@ template <class Real>
 HWY_INLINE Outcome<Real> Nothing() {
     const D<Real> d;
     const V<Real> zero = hn::Zero(d);
-    return {zero, zero, zero, zero, false, {}};
+    return {zero, zero, zero, false, {}};
 }
 
 template <class Real>
@@ -274,10 +314,10 @@ HWY_INLINE LimitsHere LimitsOf(const SweepView<Real>& v, std::size_t site) {
     return {v.limits + site / Lattice::lanes * EdgeLimits::of_batch + site % Lattice::lanes, lowest};
 }
 
+/// The series does not hold for all of them.
 template <class Real>
 HWY_INLINE bool IsFar(const Outcome<Real>& outcome) {
-    const D<Real> d;
-    return HWY_UNLIKELY(!hn::AllTrue(d, IsNear<Real>(outcome.shortest, outcome.longest)));
+    return HWY_UNLIKELY(!AreWithin<Real>(outcome.largest, Extension::near));
 }
 
 /// What the sweep of a row adds up over its batches.
@@ -350,10 +390,11 @@ CRACKSIM_INLINE void AddComponents(const SweepView<Real>& v, const From& from, I
             w[c] = from.template VelocityIncrement<c, kAxis>();
         }
     });
+    const V<Real> edge = Same<Real>(v.edge[kAxis]);
     const auto add = [&](auto i) CRACKSIM_INLINE_LAMBDA {
         constexpr auto a = static_cast<std::size_t>(HexahedronPairs::corners[i][0]);
         constexpr auto b = static_cast<std::size_t>(HexahedronPairs::corners[i][1]);
-        AddComponent<i, kAxis>(v.interaction[i], hn::Sub(u[b], u[a]), hn::Sub(w[b], w[a]), all);
+        AddComponent<i, kAxis>(edge, hn::Sub(u[b], u[a]), hn::Sub(w[b], w[a]), all);
     };
     (add(std::integral_constant<std::size_t, I>{}), ...);
 }
@@ -369,16 +410,22 @@ CRACKSIM_INLINE void FindStretches(const SweepView<Real>& v, const From& from, c
     constexpr std::array<std::size_t, sizeof...(I)> numbers{I...};
     ForEach<sizeof...(I)>([&](auto i) CRACKSIM_INLINE_LAMBDA {
         if constexpr (numbers[i] < HexahedronPairs::edges) {
-            Complete<numbers[i], kPlain, kFar>(v.interaction[numbers[i]], all, outcome);
+            Complete<numbers[i], kPlain, kFar>(v, all, outcome);
         }
     });
     FindExceeded<kMostlyNone>(limits, all, outcome, list);
     ForEach<sizeof...(I)>([&](auto i) CRACKSIM_INLINE_LAMBDA {
         if constexpr (numbers[i] >= HexahedronPairs::edges) {
-            Complete<numbers[i], kPlain, kFar>(v.interaction[numbers[i]], all, outcome);
+            Complete<numbers[i], kPlain, kFar>(v, all, outcome);
         }
     });
-    FindFactors<kFar, kMeasure>(v, all, outcome, list);
+    if constexpr (kFar) {
+        FindFactors<Range::any, kMeasure>(v, all, outcome, list);
+    } else if (AreWithin<Real>(outcome.largest, Extension::small)) {
+        FindFactors<Range::small, kMeasure>(v, all, outcome, list);
+    } else {
+        FindFactors<Range::near, kMeasure>(v, all, outcome, list);
+    }
 }
 
 /// A component of the forces on the corners, of some interactions.
@@ -395,11 +442,9 @@ CRACKSIM_INLINE void AddForces(const Interactions<Real>& all, V<Real> (&force)[H
     (add(std::integral_constant<std::size_t, I>{}), ...);
 }
 
-constexpr std::size_t size_of_kind = HexahedronPairs::edges_per_axis;
-static_assert(size_of_kind == 4 && HexahedronPairs::diagonals == size_of_kind);
+static_assert(HexahedronPairs::per_kind == 4);
 template <std::size_t kKind>
-using Kind = std::index_sequence<size_of_kind * kKind, size_of_kind * kKind + 1, size_of_kind * kKind + 2,
-                                 size_of_kind * kKind + 3>;
+using Kind = std::index_sequence<4 * kKind, 4 * kKind + 1, 4 * kKind + 2, 4 * kKind + 3>;
 
 /// Four interactions: the edges along an axis, or the diagonals. If none of them is carried, they are left out.
 template <std::size_t kKind, bool kFar, bool kMeasure, class From, class Real, std::size_t... I>
@@ -422,7 +467,7 @@ CRACKSIM_INLINE void AddCarried(const SweepView<Real>& v, unsigned carried, cons
                                 Outcome<Real>& outcome) {
     outcome = Nothing<Real>();
     Interactions<Real> all;
-    ForEach<HexahedronPairs::count / size_of_kind>([&](auto kind) CRACKSIM_INLINE_LAMBDA {
+    ForEach<HexahedronPairs::kinds>([&](auto kind) CRACKSIM_INLINE_LAMBDA {
         FindKind<kind, kFar, kMeasure>(v, carried, from, weights, limits, all, outcome, Kind<kind>{});
     });
     ForEach<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {

@@ -50,6 +50,24 @@ void for_each_edge_at(const Lattice& lattice, VertexSite v, auto&& action) {
     }
 }
 
+/// What an entity of an intact block carries: its diagonals and, of its edges, those that no smaller entity shares. first_x,
+/// first_y, first_z: no entity is before it along that axis.
+[[nodiscard]] constexpr unsigned carried_if_intact(bool first_x, bool first_y, bool first_z) {
+    const std::array<bool, 3> first{first_x, first_y, first_z};
+    unsigned carried = 0;
+    for (std::size_t i = 0; i < HexahedronPairs::count; ++i) {
+        const auto [a, b] = HexahedronPairs::corners[i];
+        bool is_smallest = true;
+        for (int axis = 0; i < HexahedronPairs::edges && axis < 3; ++axis) {
+            const bool is_shared_with_smaller =
+                is_lower(a, axis) && is_lower(b, axis) && !first[static_cast<std::size_t>(axis)];
+            is_smallest = is_smallest && !is_shared_with_smaller;
+        }
+        carried |= is_smallest ? 1U << i : 0U;
+    }
+    return carried;
+}
+
 /// Entities that share an edge and the unions at both its ends have the same visco-elastic interaction along it. The smallest of them
 /// carries it, for all: its force is computed once and counted as often. Who carries what follows from the split state alone.
 class Merging {
@@ -76,8 +94,9 @@ public:
     static constexpr unsigned full = HexahedronPairs::count;
     static constexpr unsigned inside = full + 1;
     static constexpr unsigned properties = 1U << full | 1U << inside;
-    /// What entities inside an intact block carry: the edges at their corner 6, each for the four that share it, and their diagonals.
-    static constexpr unsigned inside_list = 1U << 3U | 1U << 7U | 1U << 10U | 0xfU << unsigned{HexahedronPairs::edges};
+    /// Inside, the edges at corner 6, each for the four that share it, and the diagonals.
+    static constexpr unsigned inside_list = carried_if_intact(false, false, false);
+    static_assert(inside_list == (1U << 3U | 1U << 7U | 1U << 10U | 0xfU << unsigned{HexahedronPairs::edges}));
     /// [row]
     static constexpr std::array<std::uint8_t, rows> inside_weights = [] {
         std::array<std::uint8_t, rows> weights{};

@@ -9,6 +9,8 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <utility>
 
@@ -18,17 +20,25 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-template <std::size_t... I>
-constexpr unsigned mask_of(std::index_sequence<I...>) {
-    return ((1U << I) | ...);
+template <unsigned kMask, std::size_t... I>
+constexpr auto list_of(std::index_sequence<I...>) {
+    if constexpr (sizeof...(I) == std::popcount(kMask)) {
+        return std::index_sequence<I...>{};
+    } else {
+        constexpr std::size_t found = sizeof...(I);
+        constexpr std::size_t next = [] {
+            unsigned rest = kMask;
+            for (std::size_t i = 0; i < found; ++i) {
+                rest &= rest - 1;
+            }
+            return static_cast<std::size_t>(std::countr_zero(rest));
+        }();
+        return list_of<kMask>(std::index_sequence<I..., next>{});
+    }
 }
-
-/// What entities of an intact block carry: inside, the edges at their corner 6 and their diagonals; two edges more at the start of a
-/// row, and in the lowest layer.
-using InsideRow = std::index_sequence<3, 7, 10, 12, 13, 14, 15>;
-using StartOfRow = std::index_sequence<3, 6, 7, 10, 11, 12, 13, 14, 15>;
-using LowestLayer = std::index_sequence<1, 3, 5, 7, 10, 12, 13, 14, 15>;
-static_assert(mask_of(InsideRow{}) == Merging::inside_list);
+/// The interactions whose bits are set, ascending.
+template <unsigned kMask>
+using ListOf = decltype(list_of<kMask>(std::index_sequence<>{}));
 
 /// Entities whose corners are all in the base plane: they are loaded where they are needed, for there are too many to be kept in
 /// registers.
@@ -61,8 +71,8 @@ private:
 template <class Real>
 HWY_INLINE PlainCorners<Real> PlainCornersAt(const SweepView<Real>& v, const RowRun<Real>& run, std::size_t at) {
     return {{run.side[0] + at, run.side[1] + at, run.side[2] + at, run.side[3] + at},
-            v.base_stride,
-            v.velocity_quantity * v.base_stride};
+            run.stride,
+            v.velocity_quantity * run.stride};
 }
 
 /// What is known of the weights of a vector's entities: nothing, or a property of merging.hpp.
@@ -78,20 +88,19 @@ HWY_INLINE V<Real> PlainWeight(const std::uint8_t* weights) {
     }
 }
 
-template <Weights kKnown, bool kMeasure, class Real, std::size_t... I>
+template <Weights kKnown, unsigned kCarried, bool kMeasure, class Real, std::size_t... I>
 CRACKSIM_INLINE void AddAllPlain(const SweepView<Real>& v, RowRun<Real>& run, std::size_t at,
                                  const std::uint8_t* weights, const LimitsHere& limits, Outcome<Real>& outcome,
                                  std::index_sequence<I...> list) {
-    constexpr unsigned carried = mask_of(list);
-    constexpr bool all_weigh = kKnown != Weights::any && carried == Merging::inside_list;
+    constexpr bool no_void = kKnown != Weights::any && kCarried == Merging::inside_list;
     const PlainCorners<Real> x = PlainCornersAt(v, run, at);
     Interactions<Real> all;
     ((all.weight[I] = PlainWeight<kKnown, I, Real>(weights)), ...);
-    FindStretches<all_weigh, true, false, kMeasure>(v, x, limits, all, outcome, list);
+    FindStretches<no_void, true, false, kMeasure>(v, x, limits, all, outcome, list);
     if (IsFar(outcome)) {
         Forces<Real> forces;
-        AddFar<kMeasure>(v, carried, x, weights, limits, forces, outcome);
-        AddSides(v, forces, run, at);
+        AddFar<kMeasure>(v, kCarried, x, weights, limits, forces, outcome);
+        AddSides(forces, run, at);
         return;
     }
     ForEach<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
@@ -99,45 +108,50 @@ CRACKSIM_INLINE void AddAllPlain(const SweepView<Real>& v, RowRun<Real>& run, st
         AddForces<axis>(all, force, list);
         ForEach<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
             const auto [lower, upper] = Lattice::corners_of_side[side];
-            AddComponentToSide<side, axis>(v, force[lower], force[upper], run, at);
+            AddComponentToSide<side, axis>(force[lower], force[upper], run, at);
         });
     });
     std::fill_n(run.has_before, Lattice::sides, true);
 }
 
-/// Consecutive vectors of a row with a known list of interactions, from the place `at` to `end`.
-template <class List, Weights kKnown, bool kMeasure, class Real>
+/// Consecutive vectors of a row that carry the same, from the place `at` to `end`.
+template <unsigned kCarried, Weights kKnown, bool kMeasure, class Real>
 HWY_NOINLINE void SweepPlain(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at, std::size_t end,
                              RowSums<Real>& sums) {
     for (; at < end; at += vector_lanes<Real>) {
         const std::size_t site = row.first_site + at;
         Outcome<Real> outcome = Nothing<Real>();
         const std::uint8_t* weights = WeightsOf(v, site);
-        AddAllPlain<kKnown, kMeasure>(v, run, at, weights, LimitsOf(v, site), outcome, List{});
+        AddAllPlain<kKnown, kCarried, kMeasure>(v, run, at, weights, LimitsOf(v, site), outcome, ListOf<kCarried>{});
         Collect<kMeasure>(v, outcome, PlainWeight<kKnown, Merging::owned_row, Real>(weights), site, sums);
     }
 }
 
-/// False: not with this list.
+/// False: not with what is carried.
 template <bool kMeasure, class Real>
-HWY_INLINE bool SweepPlain(unsigned list, SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
+HWY_INLINE bool SweepPlain(unsigned carried, SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
                            std::size_t end, RowSums<Real>& sums) {
+    // What vectors of an intact block carry; the rare ones, and those of a block only a vector wide, are left to SweepBase.
+    constexpr unsigned inside = carried_if_intact(false, false, false);
+    constexpr unsigned start_of_row = carried_if_intact(true, false, false);
+    constexpr unsigned front = carried_if_intact(false, true, false);
+    constexpr unsigned lowest = carried_if_intact(false, false, true);
+    constexpr unsigned lowest_start = carried_if_intact(true, false, true);
     constexpr unsigned full = 1U << Merging::full;
-    switch (list) {
-        case mask_of(InsideRow{}) | Merging::properties:
-            SweepPlain<InsideRow, Weights::inside, kMeasure>(v, row, run, at, end, sums);
+    switch (carried) {
+        case inside | Merging::properties:
+            SweepPlain<inside, Weights::inside, kMeasure>(v, row, run, at, end, sums);
             return true;
-        case mask_of(InsideRow{}) | full:
-            SweepPlain<InsideRow, Weights::full, kMeasure>(v, row, run, at, end, sums);
+        case inside | full: SweepPlain<inside, Weights::full, kMeasure>(v, row, run, at, end, sums); return true;
+        case inside: SweepPlain<inside, Weights::any, kMeasure>(v, row, run, at, end, sums); return true;
+        case start_of_row | full:
+            SweepPlain<start_of_row, Weights::full, kMeasure>(v, row, run, at, end, sums);
             return true;
-        case mask_of(InsideRow{}):
-            SweepPlain<InsideRow, Weights::any, kMeasure>(v, row, run, at, end, sums);
-            return true;
-        case mask_of(StartOfRow{}) | full:
-            SweepPlain<StartOfRow, Weights::full, kMeasure>(v, row, run, at, end, sums);
-            return true;
-        case mask_of(LowestLayer{}) | full:
-            SweepPlain<LowestLayer, Weights::full, kMeasure>(v, row, run, at, end, sums);
+        case front | full: SweepPlain<front, Weights::full, kMeasure>(v, row, run, at, end, sums); return true;
+        case lowest | full: SweepPlain<lowest, Weights::full, kMeasure>(v, row, run, at, end, sums); return true;
+        case lowest: SweepPlain<lowest, Weights::any, kMeasure>(v, row, run, at, end, sums); return true;
+        case lowest_start | full:
+            SweepPlain<lowest_start, Weights::full, kMeasure>(v, row, run, at, end, sums);
             return true;
         default: return false;
     }

@@ -44,7 +44,7 @@ void SweepVectors(SweepView<Real>& v, const RowView& row) {
         }
         at = end;
     }
-    Deliver(v, run, row.sites);
+    Deliver(run, row.sites);
     v.dissipated += hn::GetLane(hn::SumOfLanes(d, sums.dissipated));
     if constexpr (kMeasure) {
         v.elastic += hn::GetLane(hn::SumOfLanes(d, sums.elastic));

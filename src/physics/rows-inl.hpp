@@ -85,13 +85,14 @@ struct HandedOn {
 template <class Real>
 struct RowRun {
     Real* side[Lattice::sides];  ///< where the lower corners of the row's first entity are in the base plane
+    std::size_t stride;          ///< from a quantity in the base plane to the next
     HandedOn<Real> before;
     bool has_before[Lattice::sides];  ///< false: nothing was handed on, and `before` is zero
 };
 
 template <class Real>
 HWY_INLINE RowRun<Real> BeginRun(const SweepView<Real>& v, const RowView& row) {
-    RowRun<Real> run{{}, {{Zero3<Real>(), Zero3<Real>(), Zero3<Real>(), Zero3<Real>()}}, {}};
+    RowRun<Real> run{{}, v.base_stride, {{Zero3<Real>(), Zero3<Real>(), Zero3<Real>(), Zero3<Real>()}}, {}};
     for (std::size_t side = 0; side < Lattice::sides; ++side) {
         run.side[side] = v.base + row.vertex[side];
     }
@@ -101,53 +102,52 @@ HWY_INLINE RowRun<Real> BeginRun(const SweepView<Real>& v, const RowView& row) {
 /// A component of the forces on the lower and the upper corners of the entities from the place `at` on, and what those before them
 /// handed on, to a side in the base plane.
 template <std::size_t kSide, std::size_t kAxis, class Real>
-CRACKSIM_INLINE void AddComponentToSide(const SweepView<Real>& v, V<Real> lower, V<Real> upper, RowRun<Real>& run,
-                                        std::size_t at) {
+CRACKSIM_INLINE void AddComponentToSide(V<Real> lower, V<Real> upper, RowRun<Real>& run, std::size_t at) {
     const D<Real> d;
-    Real* force = run.side[kSide] + (Quantity::force + kAxis) * v.base_stride + at;
+    Real* force = run.side[kSide] + (Quantity::force + kAxis) * run.stride + at;
     const V<Real> sum = hn::Add(hn::LoadU(d, force), Shifted<Real>(upper, Part<kAxis>(run.before.side[kSide])));
     hn::StoreU(hn::Add(sum, lower), d, force);
 }
 
 template <std::size_t kSide, class Real>
-CRACKSIM_INLINE void AddSide(const SweepView<Real>& v, const Forces<Real>& forces, RowRun<Real>& run, std::size_t at) {
+CRACKSIM_INLINE void AddSide(const Forces<Real>& forces, RowRun<Real>& run, std::size_t at) {
     const V3<Real>& lower = forces.f[Lattice::corners_of_side[kSide][0]];
     const V3<Real>& upper = forces.f[Lattice::corners_of_side[kSide][1]];
-    AddComponentToSide<kSide, 0>(v, lower.x, upper.x, run, at);
-    AddComponentToSide<kSide, 1>(v, lower.y, upper.y, run, at);
-    AddComponentToSide<kSide, 2>(v, lower.z, upper.z, run, at);
+    AddComponentToSide<kSide, 0>(lower.x, upper.x, run, at);
+    AddComponentToSide<kSide, 1>(lower.y, upper.y, run, at);
+    AddComponentToSide<kSide, 2>(lower.z, upper.z, run, at);
     run.has_before[kSide] = true;
 }
 
 template <class Real>
-CRACKSIM_INLINE void AddSides(const SweepView<Real>& v, const Forces<Real>& forces, RowRun<Real>& run, std::size_t at) {
-    AddSide<0>(v, forces, run, at);
-    AddSide<1>(v, forces, run, at);
-    AddSide<2>(v, forces, run, at);
-    AddSide<3>(v, forces, run, at);
+CRACKSIM_INLINE void AddSides(const Forces<Real>& forces, RowRun<Real>& run, std::size_t at) {
+    AddSide<0>(forces, run, at);
+    AddSide<1>(forces, run, at);
+    AddSide<2>(forces, run, at);
+    AddSide<3>(forces, run, at);
 }
 
 /// What was handed on goes to the vertices at the place `at`.
 template <std::size_t kSide, class Real>
-HWY_INLINE void Deliver(const SweepView<Real>& v, RowRun<Real>& run, std::size_t at) {
+HWY_INLINE void Deliver(RowRun<Real>& run, std::size_t at) {
     if (!run.has_before[kSide]) {
         return;
     }
-    Real* force = run.side[kSide] + Quantity::force * v.base_stride + at;
+    Real* force = run.side[kSide] + Quantity::force * run.stride + at;
     V3<Real>& before = run.before.side[kSide];
     force[0] += HandedOnBy<Real>(before.x);
-    force[v.base_stride] += HandedOnBy<Real>(before.y);
-    force[2 * v.base_stride] += HandedOnBy<Real>(before.z);
+    force[run.stride] += HandedOnBy<Real>(before.y);
+    force[2 * run.stride] += HandedOnBy<Real>(before.z);
     before = Zero3<Real>();
     run.has_before[kSide] = false;
 }
 
 template <class Real>
-HWY_INLINE void Deliver(const SweepView<Real>& v, RowRun<Real>& run, std::size_t at) {
-    Deliver<0>(v, run, at);
-    Deliver<1>(v, run, at);
-    Deliver<2>(v, run, at);
-    Deliver<3>(v, run, at);
+HWY_INLINE void Deliver(RowRun<Real>& run, std::size_t at) {
+    Deliver<0>(run, at);
+    Deliver<1>(run, at);
+    Deliver<2>(run, at);
+    Deliver<3>(run, at);
 }
 
 }  // namespace cracksim::physics::HWY_NAMESPACE
