@@ -12,7 +12,7 @@
 #include "physics/split.hpp"
 #include "simulation/problem.hpp"
 #include "simulation/scene_reader.hpp"
-#include "support/all_duplets.hpp"
+#include "support/network_members.hpp"
 
 namespace cracksim::simulation {
 namespace {

@@ -83,6 +83,20 @@ def prefilter_on_and_off(workplace, quick):
         compare(workplace, cracking_scene(), expected, "no prefilter", "--set", "sensors.prefilter=false", ranks=ranks)
 
 
+def wide_rows(workplace, quick):
+    """Most vectors of neighbours lie inside the block, where the sweep knows what they carry."""
+    for precision in ("double", "single"):
+        scene = cracking_scene(
+            block={"entity": "hexahedron", "cells": [26, 6, 4], "edge": 0.01, "origin": [0, 0, 0]},
+            initial={"velocity": ["1.2*(x-0.13)/0.04*exp(-900*(x-0.13)^2)", "0.3*sin(60*x)", 0]},
+            time={"end": 0.04, "precision": precision})
+        expected = reference(workplace, scene, 100, f"wide rows, {precision}")
+        for ranks in (3,) if quick else (1, 2, 3):
+            for prefilter in ("true", "false"):
+                compare(workplace, scene, expected, f"wide rows, {precision}", "--set", f"sensors.prefilter={prefilter}",
+                        "--set", "partition.kind=metis", ranks=ranks)
+
+
 def scheme_ab2_with_supports(workplace, quick):
     scene = cracking_scene(supports=PULLED, time={"end": 0.06, "scheme": "ab2"})
     expected = reference(workplace, scene, 100, "ab2 with supports")
@@ -226,8 +240,8 @@ def release_and_second_build_agree(workplace, quick):
 
 
 TESTS = [any_ranks_and_partition, energies_are_the_same_on_any_ranks, hashes_tell_runs_apart, any_rates,
-         prefilter_on_and_off, scheme_ab2_with_supports, single_precision, every_simd_target, boxes_of_a_network, tree_of_duplets, ranks_without_an_entity, random_scenes,
-         frames_do_not_depend_on_ranks]
+         prefilter_on_and_off, wide_rows, scheme_ab2_with_supports, single_precision, every_simd_target, boxes_of_a_network,
+         tree_of_duplets, ranks_without_an_entity, random_scenes, frames_do_not_depend_on_ranks]
 if __name__ == "__main__":
     if "CRACKSIM_SECOND_BINARY" in os.environ:
         TESTS.append(release_and_second_build_agree)

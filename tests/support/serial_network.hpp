@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstdint>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "core/block.hpp"
@@ -23,16 +23,20 @@ struct SerialBlock {
 
     [[nodiscard]] Block block() const { return {cells, edge, {0, 0, 0}}; }
     [[nodiscard]] physics::EntityModel model() const { return {edge, corner_mass, edges, diagonals}; }
-    [[nodiscard]] physics::Network network() const {
+    [[nodiscard]] physics::Network network() const { return network_with_halo(0, cells[0]); }
+    /// All entities, owned where first <= x < last.
+    [[nodiscard]] physics::Network network_with_halo(std::int64_t first, std::int64_t last) const {
         std::vector<EntityId> ids;
+        std::vector<std::uint8_t> owned;
         for (EntityId e{0}; e.value() < block().entity_count(); ++e) {
             ids.push_back(e);
+            const std::int64_t x = e.value() % cells[0];
+            owned.push_back(first <= x && x < last ? 1 : 0);
         }
-        const std::size_t count = ids.size();
         return {block(),
                 model(),
                 IdArray<LocalEntity, EntityId>{std::move(ids)},
-                IdArray<LocalEntity, std::uint8_t>(count, 1),
+                IdArray<LocalEntity, std::uint8_t>{std::move(owned)},
                 duplets,
                 thresholds,
                 supports};

@@ -8,7 +8,7 @@
 
 #include "physics/force_sweep.hpp"
 #include "physics/split.hpp"
-#include "support/all_duplets.hpp"
+#include "support/network_members.hpp"
 #include "support/precisions.hpp"
 #include "support/random_state.hpp"
 #include "support/serial_network.hpp"

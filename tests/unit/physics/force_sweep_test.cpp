@@ -8,6 +8,7 @@
 
 #include "core/hash.hpp"
 #include "physics/split.hpp"
+#include "support/network_members.hpp"
 #include "support/precisions.hpp"
 #include "support/random_state.hpp"
 #include "support/serial_network.hpp"
@@ -54,17 +55,6 @@ TEST(ForceSweep, IsTheModelsForceInEveryEntityOfAnyBlock) {
     }
 }
 
-/// The duplets of a network, some of them drawn.
-std::vector<LocalDuplet> drawn_duplets(const Network& network, std::uint64_t one_in, std::uint64_t seed) {
-    std::vector<LocalDuplet> some;
-    for (std::int32_t d = 0; d < static_cast<std::int32_t>(network.interfaces().size()) * 4; ++d) {
-        if (mix(seed, static_cast<std::uint64_t>(d)) % one_in == 0) {
-            some.emplace_back(d);
-        }
-    }
-    return some;
-}
-
 /// The model's force on each union, mass by mass.
 void expect_forces_of_the_model(const Network& network, State& state) {
     accumulate_forces(network, state, Measure::nothing);
@@ -89,7 +79,7 @@ TEST(ForceSweep, SumsTheModelsForcesOverUnionsInAnyStateOfSplits) {
                 test::shake(state, 0.2, 4);
                 expect_forces_of_the_model(network, state);
                 SplitStream splits;
-                split(network, drawn_duplets(network, one_in, 1), state, splits);
+                split(network, test::drawn_duplets(network, state, one_in, 1), state, splits);
                 const State shared = state;
                 expect_forces_of_the_model(network, state);
                 for (const Slot s : state.unions.advanced()) {
@@ -180,7 +170,7 @@ void expect_no_force_under_translation(Precision precision, double far) {
             State state{network, Scheme::cordis, 0.3, precision};
             SplitStream splits;
             if (one_in > 0) {
-                split(network, drawn_duplets(network, one_in, 5), state, splits);
+                split(network, test::drawn_duplets(network, state, one_in, 5), state, splits);
             }
             for (const Slot s : state.unions.advanced()) {
                 state.set_displacement(s, {0.1, 0.7, -far});

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "physics/split.hpp"
-#include "support/all_duplets.hpp"
+#include "support/network_members.hpp"
 #include "support/serial_network.hpp"
 
 namespace cracksim::physics {

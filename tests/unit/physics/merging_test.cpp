@@ -5,9 +5,9 @@
 #include <map>
 #include <tuple>
 
-#include "core/hash.hpp"
 #include "physics/split.hpp"
 #include "physics/state.hpp"
+#include "support/network_members.hpp"
 #include "support/serial_network.hpp"
 
 namespace cracksim::physics {
@@ -75,18 +75,21 @@ TEST(Merging, KnowsWhereAllCarryWhatEntitiesInsideAnIntactBlockDo) {
     EXPECT_EQ(before, 4U * 3 * 2);
     for (std::uint64_t round = 0; before > 0; ++round) {
         ASSERT_LT(round, 30U);
-        std::vector<LocalDuplet> some;
-        for (std::int32_t d = 0; d < static_cast<std::int32_t>(network.interfaces().size()) * 4; ++d) {
-            if (state.sensing.is_active(LocalDuplet{d}) && mix(round, static_cast<std::uint64_t>(d)) % 40 == 0) {
-                some.emplace_back(d);
-            }
-        }
         SplitStream splits;
-        split(network, some, state, splits);
+        split(network, test::drawn_duplets(network, state, 40, round), state, splits);
         const std::size_t after = halves_inside(network, state);
         EXPECT_LE(after, before);
         before = after;
     }
+}
+
+TEST(Merging, SaysOfNoHaloThatItIsInside) {
+    test::SerialBlock block;
+    block.cells = {24, 5, 4};
+    const Network network = block.network_with_halo(6, 19);
+    const State state{network, Scheme::cordis, 0.3};
+    // Of the owned entities of a row, two halves are complete.
+    EXPECT_EQ(halves_inside(network, state), 2U * 3 * 2);
 }
 
 TEST(Merging, LetsTheSmallestEntityCarryWhatSharesBothUnions) {
@@ -97,15 +100,23 @@ TEST(Merging, LetsTheSmallestEntityCarryWhatSharesBothUnions) {
         State state{network, Scheme::cordis, 0.3};
         expect_smallest_carries_all(network, state);
         for (std::uint64_t round = 0; round < 6; ++round) {
-            std::vector<LocalDuplet> some;
-            for (std::int32_t d = 0; d < static_cast<std::int32_t>(network.interfaces().size()) * 4; ++d) {
-                if (state.sensing.is_active(LocalDuplet{d}) && mix(round, static_cast<std::uint64_t>(d)) % 4 == 0) {
-                    some.emplace_back(d);
-                }
-            }
             SplitStream splits;
-            split(network, some, state, splits);
+            split(network, test::drawn_duplets(network, state, 4, round), state, splits);
             expect_smallest_carries_all(network, state);
+        }
+    }
+}
+
+TEST(Merging, IsWhatTheRuleForIntactBlocksSays) {
+    test::SerialBlock block;
+    block.cells = {10, 3, 4};
+    const Network network = block.network();
+    const State state{network, Scheme::cordis, 0.3};
+    for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
+        const std::int64_t id = network.entity(e).value();
+        const unsigned said = carried_if_intact(id % 10 == 0, id / 10 % 3 == 0, id / 30 == 0);
+        for (int i = 0; i < HexahedronPairs::count; ++i) {
+            EXPECT_EQ(state.merging.weight(state.unions, e, i) > 0, (said >> static_cast<unsigned>(i) & 1U) != 0) << i;
         }
     }
 }

@@ -11,7 +11,7 @@
 
 #include "physics/split.hpp"
 #include "physics/state.hpp"
-#include "support/all_duplets.hpp"
+#include "support/network_members.hpp"
 #include "support/serial_network.hpp"
 
 namespace cracksim::physics {

@@ -14,24 +14,6 @@
 namespace cracksim::physics {
 namespace {
 
-/// All entities of a block, those in the middle of x owned by this rank.
-Network middle_of(const test::SerialBlock& block) {
-    std::vector<EntityId> ids;
-    std::vector<std::uint8_t> owned;
-    for (EntityId e{0}; e.value() < block.block().entity_count(); ++e) {
-        ids.push_back(e);
-        const std::int64_t x = e.value() % block.cells[0];
-        owned.push_back(x > 0 && x + 1 < block.cells[0] ? 1 : 0);
-    }
-    return {block.block(),
-            block.model(),
-            IdArray<LocalEntity, EntityId>{std::move(ids)},
-            IdArray<LocalEntity, std::uint8_t>{std::move(owned)},
-            block.duplets,
-            block.thresholds,
-            block.supports};
-}
-
 /// All unions of received masses are there, each once, and with the first of its masses.
 void expect_each_once(const Network& network, const UnionTable& unions, const ReceivedUnions& received) {
     std::map<Slot, std::size_t> expected;
@@ -53,7 +35,7 @@ void expect_each_once(const Network& network, const UnionTable& unions, const Re
 TEST(ReceivedUnions, AreThoseOfTheReceivedMassesEachOnce) {
     test::SerialBlock block;
     block.cells = {6, 4, 3};
-    const Network network = middle_of(block);
+    const Network network = block.network_with_halo(1, block.cells[0] - 1);
     const UnionTable unions{network};
     const ReceivedUnions received{network, unions};
     expect_each_once(network, unions, received);
@@ -68,7 +50,7 @@ TEST(ReceivedUnions, AreThoseOfTheReceivedMassesEachOnce) {
 TEST(ReceivedUnions, FollowTheLabelsOfTheirOwners) {
     test::SerialBlock block;
     block.cells = {6, 4, 3};
-    const Network network = middle_of(block);
+    const Network network = block.network_with_halo(1, block.cells[0] - 1);
     UnionTable unions{network};
     ReceivedUnions received{network, unions};
     constexpr std::uint32_t seed = 20261126;

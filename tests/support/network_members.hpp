@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/hash.hpp"
 #include "physics/network.hpp"
+#include "physics/state.hpp"
 
 namespace cracksim::test {
 
@@ -15,6 +17,19 @@ namespace cracksim::test {
         all.emplace_back(d);
     }
     return all;
+}
+
+/// One in so many of the active duplets, ascending.
+[[nodiscard]] inline std::vector<physics::LocalDuplet> drawn_duplets(const physics::Network& network,
+                                                                     const physics::State& state, std::uint64_t one_in,
+                                                                     std::uint64_t seed) {
+    std::vector<physics::LocalDuplet> drawn;
+    for (const physics::LocalDuplet d : all_duplets(network)) {
+        if (state.sensing.is_active(d) && mix(seed, static_cast<std::uint64_t>(d.value())) % one_in == 0) {
+            drawn.push_back(d);
+        }
+    }
+    return drawn;
 }
 
 [[nodiscard]] inline std::vector<LocalMass> all_masses(const physics::Network& network) {
