@@ -12,6 +12,8 @@ namespace cracksim::physics {
 struct Elasticity {
     double stiffness{0};
     double viscosity{0};
+
+    friend bool operator==(const Elasticity&, const Elasticity&) = default;
 };
 
 /// The interactions of a hexahedron as pairs of corners: four edges along x, four along y, four along z, four diagonals.

@@ -11,6 +11,10 @@ template <class Real>
 InteractionConstants<Real> constants(const EntityModel& model, std::size_t kind, double dt) {
     const auto real = [](double value) { return static_cast<Real>(value); };
     const std::size_t i = kind * HexahedronPairs::per_kind;
+    for (std::size_t other = i; other < i + HexahedronPairs::per_kind; ++other) {
+        CRACKSIM_EXPECT(model.elasticity[other] == model.elasticity[i] &&
+                        model.rest_length[other] == model.rest_length[i]);
+    }
     const double squared = model.rest_length[i] * model.rest_length[i];
     return {real(1 / squared), real(model.elasticity[i].stiffness),
             real(model.elasticity[i].viscosity / (dt * squared)), real(0.5 * model.elasticity[i].stiffness * squared)};

@@ -14,8 +14,8 @@ namespace cracksim::physics {
 
 enum class Measure { nothing, elastic_energy };
 
-/// The polynomial P with 1 - (1 + x)^(-1/2) = x P(x), for extensions x up to `small` to a relative 3.3e-15 in double, 1.4e-8 in single
-/// precision (minimax); up to `near` to 1 %, which a step of higher order corrects.
+/// The polynomial P with 1 - (1 + x)^(-1/2) = x P(x), for extensions |x| <= Extension::small to a relative 3.3e-15 in double, 1.4e-8 in
+/// single precision (minimax); up to Extension::near to 1.7e-4 and 0.7 %, which a step of third and of second order corrects.
 template <class Real>
 struct Series;
 template <>

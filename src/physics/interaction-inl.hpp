@@ -39,7 +39,7 @@ template <class Real>
 struct Outcome {
     V<Real> dissipated;
     V<Real> elastic;
-    V<Real> largest;                            ///< of the extensions' magnitudes
+    V<Real> largest;                            ///< of the extensions' magnitudes so far
     bool any_exceeded;                          ///< false: no edge is stretched beyond its limit
     unsigned exceeded[HexahedronPairs::edges];  ///< by edge, a bit a lane
 };
@@ -68,7 +68,9 @@ constexpr int sign_of_rest(std::size_t interaction, std::size_t axis) {
 template <std::size_t I, std::size_t kAxis, class Real>
 HWY_INLINE void AddComponent(V<Real> edge, V<Real> du, V<Real> dw, Interactions<Real>& all) {
     constexpr int sign = sign_of_rest(I, kAxis);
-    const auto from_rest = [&](V<Real> v) { return sign == 0 ? v : sign > 0 ? hn::Add(edge, v) : hn::Sub(v, edge); };
+    const auto from_rest = [&](V<Real> v) CRACKSIM_INLINE_LAMBDA {
+        return sign == 0 ? v : sign > 0 ? hn::Add(edge, v) : hn::Sub(v, edge);
+    };
     const V<Real> distance = from_rest(du);
     const V<Real> twice = from_rest(distance);
     all.distance[kAxis][I] = distance;
@@ -111,32 +113,32 @@ HWY_INLINE V<Real> InRegister(V<Real> v) {
     return v;
 }
 
-/// The larger magnitude.
+/// The larger of what was largest so far and the magnitude of x; what is not a number changes nothing, whatever the instructions.
 template <class Real>
-HWY_INLINE V<Real> LargerMagnitude(V<Real> a, V<Real> b) {
+HWY_INLINE V<Real> LargerMagnitude(V<Real> largest, V<Real> x) {
 #if HWY_TARGET <= HWY_AVX3
     // One instruction, which Highway has no name for.
     static_assert(is_whole_batch<Real>);
     constexpr int larger_magnitude_without_sign = 0b1011;
     V<Real> larger;
     if constexpr (sizeof(Real) > sizeof(float)) {
-        larger.raw = _mm512_range_pd(a.raw, b.raw, larger_magnitude_without_sign);
+        larger.raw = _mm512_range_pd(largest.raw, x.raw, larger_magnitude_without_sign);
     } else {
-        larger.raw = _mm256_range_ps(a.raw, b.raw, larger_magnitude_without_sign);
+        larger.raw = _mm256_range_ps(largest.raw, x.raw, larger_magnitude_without_sign);
     }
     return larger;
 #else
-    return hn::Max(hn::Abs(a), hn::Abs(b));
+    return hn::Max(hn::Abs(x), largest);
 #endif
 }
 
-/// How large extensions are: within Extension::small, within Extension::near, whatever they are.
+/// How large the magnitudes of extensions are: within Extension::small, within Extension::near, whatever they are.
 enum class Range { small, near, any };
 
-/// Within the range, without division or root: g = x P(x), and beyond `small` better by a third-order step for
+/// Within the range, without division or root: g = x P(x), and beyond `small` better by a step of third order in
 /// the residual R = (1 + x)(1 - g)^2 - 1, in single precision of second order: to the last bits of g, relative to g, however small x.
-/// The bits for one x are the same in both ranges. Of several x at once: one is a long chain of operations, and the processor works on
-/// several chains only where they are close to each other in the program.
+/// One x has the same bits in both ranges, but for the sign of a zero g. Of several x at once: one is a long chain of operations, and
+/// the processor works on several chains only where they are close to each other in the program.
 template <Range kRange, std::size_t kCount, class Real>
 CRACKSIM_INLINE void SeriesRatios(const V<Real> (&x)[kCount], Ratio<Real> (&ratio)[kCount]) {
     constexpr auto& p = Series<Real>::p;
@@ -149,10 +151,8 @@ CRACKSIM_INLINE void SeriesRatios(const V<Real> (&x)[kCount], Ratio<Real> (&rati
     });
     ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { g[i] = hn::Mul(g[i], x[i]); });
     ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA { ratio[i] = {g[i], hn::Sub(one, g[i])}; });
-    if constexpr (kRange == Range::small) {
-        return;
-    }
-    ForEach<kCount>([&](auto i) CRACKSIM_INLINE_LAMBDA {
+    static_assert(kRange != Range::any);
+    ForEach<kRange == Range::near ? kCount : 0>([&](auto i) CRACKSIM_INLINE_LAMBDA {
         const V<Real> r = ratio[i].inverse;
         const V<Real> residual = hn::NegMulAdd(hn::Mul(g[i], hn::Add(one, r)), hn::Add(one, x[i]), x[i]);
         V<Real> step = Same<Real>(-3.0 / 8);
@@ -213,8 +213,9 @@ struct LimitsHere {
     float lowest;
 };
 
-/// Which edges of the list are stretched beyond their limits; other extensions are not known yet. kMostlyNone: the limits by edge need
-/// not come to the caches; else a branch takes longer than to look.
+/// Which edges of the list are stretched beyond their limits. kMostlyNone: the limits by edge need not come to the caches where the
+/// largest magnitude, so far of the list's edges alone, is below all of them (where edges are shortened it may not be: then all is looked
+/// at, in vain); else a branch takes longer than to look.
 template <bool kMostlyNone, class Real, std::size_t... I>
 CRACKSIM_INLINE void FindExceeded(const LimitsHere& limits, const Interactions<Real>& all, Outcome<Real>& outcome,
                                   std::index_sequence<I...>) {
@@ -403,7 +404,7 @@ CRACKSIM_INLINE void AddComponents(const SweepView<Real>& v, const From& from, I
 template <bool kPlain, bool kMostlyNone, bool kFar, bool kMeasure, class From, class Real, std::size_t... I>
 CRACKSIM_INLINE void FindStretches(const SweepView<Real>& v, const From& from, const LimitsHere& limits,
                                    Interactions<Real>& all, Outcome<Real>& outcome, std::index_sequence<I...> list) {
-    static_assert(!(kMostlyNone && kFar), "without the series, the longest extension is not found");
+    static_assert(!(kMostlyNone && kFar), "without the series, the largest magnitude is not found");
     AddComponents<0>(v, from, all, list);
     AddComponents<1>(v, from, all, list);
     AddComponents<2>(v, from, all, list);

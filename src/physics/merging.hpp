@@ -58,7 +58,7 @@ void for_each_edge_at(const Lattice& lattice, VertexSite v, auto&& action) {
     for (std::size_t i = 0; i < HexahedronPairs::count; ++i) {
         const auto [a, b] = HexahedronPairs::corners[i];
         bool is_smallest = true;
-        for (int axis = 0; i < HexahedronPairs::edges && axis < 3; ++axis) {
+        for (int axis = 0; axis < 3; ++axis) {
             const bool is_shared_with_smaller =
                 is_lower(a, axis) && is_lower(b, axis) && !first[static_cast<std::size_t>(axis)];
             is_smallest = is_smallest && !is_shared_with_smaller;

@@ -96,7 +96,8 @@ void start(const Network& network, const Initial& initial, State& state) {
     accumulate_forces(network, state, Measure::nothing);
     for (const Slot s : state.unions.advanced()) {
         const Vec3 v0 = state.velocity_increment(s);
-        const Vec3 a0 = state.mobility(s) * state.force(s);
+        // As in every step, a sum of forces that was flushed to -0 becomes +0.
+        const Vec3 a0 = state.mobility(s) * (state.force(s) + Vec3{0, 0, 0});
         const Vec3 w0 = prescribed(network, state, s, v0 - 0.5 * a0, -0.5);
         const Vec3 before = prescribed(network, state, s, v0 - 1.5 * a0, -1.5);
         state.set_increment(s, w0);

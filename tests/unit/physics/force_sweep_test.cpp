@@ -91,15 +91,16 @@ TEST(ForceSweep, SumsTheModelsForcesOverUnionsInAnyStateOfSplits) {
     }
 }
 
-/// One union is displaced. Its stretched interactions put their neighbours in the vector on another path, whose forces must not notice.
-void expect_that_only_its_neighbours_notice(Precision precision, Vec3 displacement) {
+/// The union at an entity's corner 0 is displaced. Its stretched interactions put their neighbours in the vector on another path, whose
+/// forces must not notice.
+void expect_that_only_its_neighbours_notice(Precision precision, EntityId entity, Vec3 displacement) {
     test::SerialBlock block;
     block.cells = {40, 3, 3};
     const Network network = block.network();
     State state{network, Scheme::cordis, 0.3, precision};
     test::shake(state, 0.005, 7);
     State disturbed = state;
-    const VertexId far = network.block().vertex(EntityId{180}, 0);
+    const VertexId far = network.block().vertex(entity, 0);
     const auto vertex = [&](LocalMass m) { return network.block().vertex(network.entity(entity_of(m)), corner_of(m)); };
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
         if (vertex(m) == far) {
@@ -116,7 +117,7 @@ void expect_that_only_its_neighbours_notice(Precision precision, Vec3 displaceme
             }
         }
     }
-    EXPECT_EQ(near.size(), 1U + 6U + 8U);
+    EXPECT_GT(near.size(), 1U + 3U);
     for (const Slot s : state.unions.advanced()) {
         EXPECT_EQ(state.force(s) == disturbed.force(s), !near.contains(s));
     }
@@ -124,8 +125,12 @@ void expect_that_only_its_neighbours_notice(Precision precision, Vec3 displaceme
 
 TEST(ForceSweep, GivesTheSameBitsWhateverTheRangeOfTheOthers) {
     for (const Precision precision : test::both_precisions) {
-        expect_that_only_its_neighbours_notice(precision, {0.15, 0.1, -0.1});
-        expect_that_only_its_neighbours_notice(precision, {3, 2, 1});
+        for (const Vec3 displacement : {Vec3{0.15, 0.1, -0.1}, Vec3{3, 2, 1}, Vec3{std::nan(""), 0, 0}}) {
+            // Inside, at the start of a row, at the front, in the lowest layer and at the start of its rows.
+            for (const std::int64_t entity : {180, 161, 140, 60, 41}) {
+                expect_that_only_its_neighbours_notice(precision, EntityId{entity}, displacement);
+            }
+        }
     }
 }
 
