@@ -48,7 +48,8 @@ void ReceivedUnions::find_in_row(const Network& network, const UnionTable& union
 }
 
 std::size_t ReceivedUnions::memory_bytes() const {
-    std::size_t bytes = masses_in_row_.size() * (sizeof(masses_in_row_[0]) + sizeof(unions_in_row_[0]));
+    constexpr std::size_t of_row = sizeof(std::vector<std::size_t>) + sizeof(std::vector<Entry>);
+    std::size_t bytes = masses_in_row_.size() * of_row;
     for (std::size_t row = 0; row < masses_in_row_.size(); ++row) {
         bytes += masses_in_row_[row].capacity() * sizeof(std::size_t) + unions_in_row_[row].capacity() * sizeof(Entry);
     }
