@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/sorted.hpp"
-#include "io/agreement.hpp"
+#include "io/collective_errors.hpp"
 #include "io/file_error.hpp"
 #include "io/hdf5.hpp"
 #include "io/text_file.hpp"

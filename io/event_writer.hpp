@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <span>
 
-#include "io/background.hpp"
+#include "io/worker.hpp"
 #include "io/split_parts.hpp"
 #include "partition/communicator.hpp"
 #include "physics/events.hpp"

@@ -4,7 +4,7 @@
 #include <cinttypes>
 #include <string_view>
 
-#include "io/agreement.hpp"
+#include "io/collective_errors.hpp"
 #include "io/file_error.hpp"
 
 namespace cracksim::io {

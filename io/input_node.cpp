@@ -2,10 +2,10 @@
 
 #include "core/contracts.hpp"
 #include "core/errors.hpp"
-#include "io/input_builder.hpp"
+#include "io/yaml_events.hpp"
 #include "io/input_text.hpp"
 #include "io/input_tree.hpp"
-#include "io/nearest.hpp"
+#include "io/spelling.hpp"
 #include "io/number_text.hpp"
 
 namespace cracksim::io {

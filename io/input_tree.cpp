@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/errors.hpp"
-#include "io/input_builder.hpp"
+#include "io/yaml_events.hpp"
 #include "io/input_text.hpp"
 #include "io/number_text.hpp"
 

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "io/agreement.hpp"
+#include "io/collective_errors.hpp"
 #include "io/file_error.hpp"
 
 namespace cracksim::io {

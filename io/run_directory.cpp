@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "core/errors.hpp"
-#include "io/agreement.hpp"
+#include "io/collective_errors.hpp"
 #include "io/text_file.hpp"
 
 namespace cracksim::io {

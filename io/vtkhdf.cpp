@@ -4,7 +4,7 @@
 #include <optional>
 #include <variant>
 
-#include "io/agreement.hpp"
+#include "io/collective_errors.hpp"
 #include "io/file_error.hpp"
 #include "io/hdf5.hpp"
 

@@ -7,7 +7,7 @@
 #include "core/id_array.hpp"
 #include "core/ids.hpp"
 #include "topology/components.hpp"
-#include "topology/disjoint_sets.hpp"
+#include "topology/connectivity/disjoint_sets.hpp"
 
 namespace cracksim::geometry {
 

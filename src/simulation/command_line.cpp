@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/errors.hpp"
-#include "io/nearest.hpp"
+#include "io/spelling.hpp"
 #include "io/provenance.hpp"
 #include "physics/simd_target.hpp"
 

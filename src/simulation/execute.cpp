@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/errors.hpp"
-#include "io/agreement.hpp"
+#include "io/collective_errors.hpp"
 #include "io/input_file.hpp"
 #include "io/log.hpp"
 #include "io/run_directory.hpp"
@@ -15,13 +15,13 @@
 #include "io/text_file.hpp"
 #include "partition/partitioner.hpp"
 #include "physics/simd_target.hpp"
-#include "simulation/forecast.hpp"
-#include "simulation/messages.hpp"
+#include "forecast/forecast.hpp"
+#include "simulation/terminal_text.hpp"
 #include "simulation/progress.hpp"
-#include "simulation/report.hpp"
+#include "simulation/make_summary.hpp"
 #include "simulation/run_files.hpp"
-#include "simulation/scene_reader.hpp"
-#include "simulation/scene_resolved.hpp"
+#include "scene/scene_reader.hpp"
+#include "scene/resolved.hpp"
 #include "simulation/simulation.hpp"
 
 namespace cracksim::simulation {
@@ -43,7 +43,7 @@ std::string read_input(const partition::Communicator& comm, const std::filesyste
     return comm.broadcast(std::move(text));
 }
 
-std::vector<std::string> warnings(const Scene& scene, const CertifiedStep& certified) {
+std::vector<std::string> warnings(const scene::Scene& scene, const scene::CertifiedStep& certified) {
     std::vector<std::string> all = scene.warnings;
     if (!certified.warning.empty()) {
         all.push_back(certified.warning);
@@ -58,8 +58,8 @@ void tell(io::Log& log, const std::vector<std::string>& lines) {
 }
 
 /// What a run, or its forecast, begins with on the terminal.
-void announce(io::Log& log, const CommandLine& command, const Scene& scene, const CertifiedStep& certified, int ranks,
-              const Forecast& forecast) {
+void announce(io::Log& log, const CommandLine& command, const scene::Scene& scene, const scene::CertifiedStep& certified, int ranks,
+              const forecast::Forecast& forecast) {
     log.info(io::version_line() + ": " + (scene.title.empty() ? command.input.string() : scene.title));
     tell(log, overview(scene, certified, ranks, forecast));
     for (const std::string& warning : warnings(scene, certified)) {
@@ -71,10 +71,10 @@ void announce(io::Log& log, const CommandLine& command, const Scene& scene, cons
 constexpr std::int64_t most_built_to_forecast = 1'000'000;
 
 /// What building the block would refuse, known without building it.
-void check_unbuilt(const Scene& scene, int ranks) {
-    check_size(scene.block, ranks);
+void check_unbuilt(const scene::Scene& scene, int ranks) {
+    scene::check_size(scene.block, ranks);
     const auto refusal = partition::metis_refusal(scene.block);
-    if (refusal && ranks > 1 && scene.partition == PartitionKind::metis) {
+    if (refusal && ranks > 1 && scene.partition == scene::PartitionKind::metis) {
         throw SharedError{*refusal};
     }
 }
@@ -83,7 +83,7 @@ void check_unbuilt(const Scene& scene, int ranks) {
 struct Ending {
     const partition::Communicator& comm;
     const Simulation& simulation;
-    const Forecast& forecast;
+    const forecast::Forecast& forecast;
     const std::filesystem::path file;
     RunFiles& files;
 
@@ -125,7 +125,7 @@ void leave_stopped(const Ending& ending, const SharedError& error) {
 }
 
 /// Returns the exit code.
-int run_with_files(const partition::Communicator& comm, Simulation& simulation, const Forecast& forecast,
+int run_with_files(const partition::Communicator& comm, Simulation& simulation, const forecast::Forecast& forecast,
                    const io::RunDirectory& directory, io::Log& log, ProgressStyle style) {
     Progress progress{log, style};
     RunFiles files{simulation, directory, progress};
@@ -152,18 +152,18 @@ int run_with_files(const partition::Communicator& comm, Simulation& simulation, 
 int follow(const partition::Communicator& comm, const CommandLine& command, io::Log& log) {
     const std::int64_t best = physics::best_simd_target();
     physics::limit_simd_target(comm.min(std::min(best, command.simd_target.value_or(best))));
-    Stopwatch stopwatch;
-    const Machine machine = look_around(comm);
+    dynamics::Stopwatch stopwatch;
+    const forecast::Machine machine = forecast::look_around(comm);
     const io::RunDirectory directory{command.directory()};
-    const Scene scene = read_scene(read_input(comm, command.input), command.input.string(), command.settings);
+    const scene::Scene scene = scene::read_scene(read_input(comm, command.input), command.input.string(), command.settings);
     directory.check(comm);
-    const CertifiedStep certified = certify_step(scene);
+    const scene::CertifiedStep certified = scene::certify_step(scene);
     check_unbuilt(scene, comm.size());
-    const Forecast estimated = estimate(scene, certified, machine);
+    const forecast::Forecast estimated = forecast::estimate(scene, certified, machine);
     if (!command.dry_run) {
-        check_memory(scene, estimated, machine);
+        forecast::check_memory(scene, estimated, machine);
     }
-    if (const auto warning = memory_warning(estimated, machine)) {
+    if (const auto warning = forecast::memory_warning(estimated, machine)) {
         log.warn(*warning);
     }
     if (command.dry_run && scene.block.entity_count() > most_built_to_forecast) {
@@ -172,11 +172,11 @@ int follow(const partition::Communicator& comm, const CommandLine& command, io::
         return 0;
     }
     auto simulation =
-        stopwatch.time(Phase::setup, [&] { return std::make_unique<Simulation>(comm, scene, stopwatch); });
+        stopwatch.time(dynamics::Phase::setup, [&] { return std::make_unique<Simulation>(comm, scene, stopwatch); });
     if (command.audit) {
         simulation->enable_audit();
     }
-    const Forecast found = forecast(*simulation, machine);
+    const forecast::Forecast found = forecast(*simulation, machine);
     if (command.dry_run) {
         announce(log, command, scene, certified, comm.size(), found);
         tell(log, dry_run_lines(found, true));
@@ -184,7 +184,7 @@ int follow(const partition::Communicator& comm, const CommandLine& command, io::
     }
     const io::RunLock lock = directory.prepare(comm);
     log.open(directory.file("cracksim.log"));
-    io::on_root(comm, [&] { io::write_text(directory.file("input.resolved.yaml"), resolved(scene)); });
+    io::on_root(comm, [&] { io::write_text(directory.file("input.resolved.yaml"), scene::resolved(scene)); });
     announce(log, command, scene, certified, comm.size(), found);
     if (comm.is_root() && !lock.held()) {
         log.warn("the file system of " + directory.path().string() +

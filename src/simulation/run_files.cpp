@@ -4,8 +4,8 @@
 
 #include "core/errors.hpp"
 #include "core/text.hpp"
-#include "io/agreement.hpp"
-#include "simulation/pictures.hpp"
+#include "io/collective_errors.hpp"
+#include "surface/frame_meshes.hpp"
 
 namespace cracksim::simulation {
 
@@ -40,7 +40,7 @@ RunFiles::RunFiles(const Simulation& simulation, const io::RunDirectory& directo
             series_.push_back({picture, std::make_unique<io::FrameWriter>(simulation.comm(), directory.path(), name)});
         }
     };
-    const Output& output = simulation.scene().output;
+    const scene::Output& output = simulation.scene().output;
     add(output.surface, Picture::surface, "surface");
     add(output.crack, Picture::crack, "crack");
     add(output.masses, Picture::masses, "masses");
@@ -57,7 +57,7 @@ io::FrameWriter* RunFiles::writer(Picture picture) const {
 }
 
 void RunFiles::coat(const Simulation& simulation, const News& news) {
-    simulation.stopwatch().time(Phase::output, [&] {
+    simulation.stopwatch().time(dynamics::Phase::output, [&] {
         io::on_root(*comm_, [&] { background_.check(); });
         events_.append(news.events, global_parts(simulation.dynamics().network(), news.splits));
     });
@@ -76,7 +76,7 @@ void RunFiles::frame(const Simulation& simulation) {
 }
 
 void RunFiles::write_surface_beside_the_run(const Simulation& simulation) {
-    simulation.stopwatch().time(Phase::geometry, [&] {
+    simulation.stopwatch().time(dynamics::Phase::geometry, [&] {
         if (surface_frames_->fits(simulation.coat())) {
             surface_frames_->write(simulation.dynamics(), simulation.coat());
         } else {
@@ -87,19 +87,19 @@ void RunFiles::write_surface_beside_the_run(const Simulation& simulation) {
 }
 
 void RunFiles::write_together(const Simulation& simulation, const Series& series) {
-    const Dynamics& dynamics = simulation.dynamics();
-    const auto mesh = simulation.stopwatch().time(Phase::geometry, [&] {
-        const MassEvolution evolution = dynamics.evolution();
-        const Coat& coat = simulation.coat();
+    const dynamics::Dynamics& dynamics = simulation.dynamics();
+    const auto mesh = simulation.stopwatch().time(dynamics::Phase::geometry, [&] {
+        const dynamics::MassEvolution evolution = dynamics.evolution();
+        const surface::Coat& coat = simulation.coat();
         switch (series.picture) {
-            case Picture::masses: return mass_mesh(*comm_, dynamics, coat, evolution);
-            case Picture::topology: return topology_mesh(*comm_, dynamics, coat, evolution);
-            case Picture::crack: return surface_mesh(*comm_, dynamics, coat, evolution, Faces::crack_only);
+            case Picture::masses: return surface::mass_mesh(*comm_, dynamics, coat, evolution);
+            case Picture::topology: return surface::topology_mesh(*comm_, dynamics, coat, evolution);
+            case Picture::crack: return surface::surface_mesh(*comm_, dynamics, coat, evolution, surface::Faces::crack_only);
             case Picture::surface: break;
         }
-        return surface_mesh(*comm_, dynamics, coat, evolution, Faces::all_free);
+        return surface::surface_mesh(*comm_, dynamics, coat, evolution, surface::Faces::all_free);
     });
-    simulation.stopwatch().time(Phase::output, [&] {
+    simulation.stopwatch().time(dynamics::Phase::output, [&] {
         io::on_root(*comm_, [&] { background_.wait(); });
         series.writer->write(mesh, dynamics.state().step, dynamics.state().time());
     });
@@ -109,7 +109,7 @@ void RunFiles::history(const Simulation& simulation) {
     const physics::State& state = simulation.dynamics().state();
     const Totals totals = simulation.totals();
     const Energies& energies = simulation.energies();
-    simulation.stopwatch().time(Phase::output, [&] {
+    simulation.stopwatch().time(dynamics::Phase::output, [&] {
         history_.write({state.step, state.time(), energies.kinetic, energies.elastic, energies.dissipated,
                         energies.external, totals.inactive_duplets, totals.unions, simulation.coat().fragment_count(),
                         simulation.coat().component_count(), simulation.coat().crack_area()});

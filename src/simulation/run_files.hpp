@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "io/background.hpp"
+#include "io/worker.hpp"
 #include "io/event_writer.hpp"
 #include "io/frame_record.hpp"
 #include "io/frame_writer.hpp"
@@ -13,7 +13,7 @@
 #include "partition/stop_request.hpp"
 #include "simulation/progress.hpp"
 #include "simulation/simulation.hpp"
-#include "simulation/surface_frames.hpp"
+#include "surface/surface_frames.hpp"
 
 namespace cracksim::simulation {
 
@@ -51,7 +51,7 @@ private:
     Progress* progress_;
     const partition::Communicator* comm_;
     partition::StopRequest stop_;
-    std::optional<SurfaceFrames> surface_frames_;  ///< until they become too large
+    std::optional<surface::SurfaceFrames> surface_frames_;  ///< until they become too large
     io::Background background_;                    ///< the last member: its jobs use the others
 };
 

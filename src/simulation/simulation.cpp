@@ -5,7 +5,7 @@
 
 #include "core/errors.hpp"
 #include "core/text.hpp"
-#include "physics/energies.hpp"
+#include "physics/state/kinetic_energy.hpp"
 
 namespace cracksim::simulation {
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t steps_between_checks = 32;
 
-std::string cause_of(const CertifiedStep& certified, bool finite) {
+std::string cause_of(const scene::CertifiedStep& certified, bool finite) {
     std::ostringstream text;
     text << (finite ? "moves by more than 100 edges in a step" : "has a motion that is not a finite number") << "; ";
     if (certified.step > certified.bound.step) {
@@ -39,11 +39,11 @@ geometry::SharedUnions starting_unions(const physics::Network& network) {
 
 }  // namespace
 
-Simulation::Simulation(const partition::Communicator& comm, const Scene& scene, Stopwatch& stopwatch)
+Simulation::Simulation(const partition::Communicator& comm, const scene::Scene& scene, dynamics::Stopwatch& stopwatch)
     : comm_{&comm},
       scene_{&scene},
       stopwatch_{&stopwatch},
-      certified_{certify_step(scene)},
+      certified_{scene::certify_step(scene)},
       dynamics_{comm, scene, certified_.step, stopwatch},
       coat_{comm, scene.block, dynamics_.decomposition(), starting_unions(dynamics_.network())},
       coat_schedule_{scene.coat_rate, certified_.step},
@@ -96,7 +96,7 @@ void Simulation::step_actions(Observer& observer, bool forced) {
 
 void Simulation::modify_coat(Observer& observer) {
     const News news{dynamics_.take_events(), dynamics_.take_splits()};
-    stopwatch_->time(Phase::topology, [&] { coat_.modify(news.splits); });
+    stopwatch_->time(dynamics::Phase::topology, [&] { coat_.modify(news.splits); });
     observer.coat(*this, news);
 }
 

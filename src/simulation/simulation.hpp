@@ -8,12 +8,12 @@
 #include "partition/audit.hpp"
 #include "partition/communicator.hpp"
 #include "physics/events.hpp"
-#include "simulation/coat.hpp"
-#include "simulation/dynamics.hpp"
-#include "simulation/problem.hpp"
-#include "simulation/scene.hpp"
-#include "simulation/schedule.hpp"
-#include "simulation/stopwatch.hpp"
+#include "surface/coat.hpp"
+#include "dynamics/dynamics.hpp"
+#include "scene/problem.hpp"
+#include "scene/scene.hpp"
+#include "scene/schedule.hpp"
+#include "dynamics/stopwatch.hpp"
 
 namespace cracksim::simulation {
 
@@ -61,7 +61,7 @@ public:
 class Simulation {
 public:
     /// Collective. Throws InputError on all ranks alike. comm, scene and stopwatch must outlive this.
-    Simulation(const partition::Communicator& comm, const Scene& scene, Stopwatch& stopwatch);
+    Simulation(const partition::Communicator& comm, const scene::Scene& scene, dynamics::Stopwatch& stopwatch);
 
     /// From now on each coat is audited (see partition/audit.hpp). Collective.
     void enable_audit();
@@ -70,11 +70,11 @@ public:
     void run(Observer& observer);
 
     [[nodiscard]] const partition::Communicator& comm() const { return *comm_; }
-    [[nodiscard]] const Scene& scene() const { return *scene_; }
-    [[nodiscard]] const CertifiedStep& certified() const { return certified_; }
-    [[nodiscard]] const Dynamics& dynamics() const { return dynamics_; }
-    [[nodiscard]] const Coat& coat() const { return coat_; }
-    [[nodiscard]] Stopwatch& stopwatch() const { return *stopwatch_; }
+    [[nodiscard]] const scene::Scene& scene() const { return *scene_; }
+    [[nodiscard]] const scene::CertifiedStep& certified() const { return certified_; }
+    [[nodiscard]] const dynamics::Dynamics& dynamics() const { return dynamics_; }
+    [[nodiscard]] const surface::Coat& coat() const { return coat_; }
+    [[nodiscard]] dynamics::Stopwatch& stopwatch() const { return *stopwatch_; }
     [[nodiscard]] const Energies& start_energies() const { return start_energies_; }
     /// As of the last step whose history was due.
     [[nodiscard]] const Energies& energies() const { return energies_; }
@@ -90,15 +90,15 @@ private:
     void bring_coat_up_to_date(Observer& observer);
 
     const partition::Communicator* comm_;
-    const Scene* scene_;
-    Stopwatch* stopwatch_;
-    CertifiedStep certified_;
-    Dynamics dynamics_;
-    Coat coat_;
+    const scene::Scene* scene_;
+    dynamics::Stopwatch* stopwatch_;
+    scene::CertifiedStep certified_;
+    dynamics::Dynamics dynamics_;
+    surface::Coat coat_;
     std::optional<partition::Audit> audit_;
-    Schedule coat_schedule_;
-    Schedule frame_schedule_;
-    Schedule history_schedule_;
+    scene::Schedule coat_schedule_;
+    scene::Schedule frame_schedule_;
+    scene::Schedule history_schedule_;
     Energies start_energies_;
     Energies energies_;
 };

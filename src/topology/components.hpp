@@ -5,7 +5,7 @@
 
 #include "core/id_array.hpp"
 #include "core/ids.hpp"
-#include "topology/disjoint_sets.hpp"
+#include "topology/connectivity/disjoint_sets.hpp"
 #include "topology/gmap.hpp"
 
 namespace cracksim::topology {

@@ -11,7 +11,7 @@
 #include "geometry/shared_unions.hpp"
 #include "partition/decomposition.hpp"
 #include "partition/session.hpp"
-#include "simulation/coat.hpp"
+#include "surface/coat.hpp"
 #include "tests/bench/sample_splits.hpp"
 #include "topology/components.hpp"
 
@@ -72,7 +72,7 @@ void modify(benchmark::State& state, const partition::Communicator& comm, std::i
     const auto splits = test::sample_splits(block, place, coats * splits_a_coat, 0, 1);
     for ([[maybe_unused]] auto _ : state) {
         state.PauseTiming();
-        Coat coat{comm, block, decomposition, shared(unions, block)};
+        surface::Coat coat{comm, block, decomposition, shared(unions, block)};
         state.ResumeTiming();
         for (std::size_t i = 0; i < coats; ++i) {
             coat.modify(splits_of_coat(splits, i));
@@ -87,7 +87,7 @@ void look_at_all(benchmark::State& state, const partition::Communicator& comm, s
     const Block block = cube(side);
     const partition::Decomposition decomposition = on_one_rank(comm, block);
     const auto unions = starting_unions(block);
-    const Coat coat{comm, block, decomposition, shared(unions, block)};
+    const surface::Coat coat{comm, block, decomposition, shared(unions, block)};
     for ([[maybe_unused]] auto _ : state) {
         for (std::size_t i = 0; i < coats; ++i) {
             auto labels = decomposition.entities;

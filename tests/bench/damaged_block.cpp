@@ -3,10 +3,10 @@
 #include <random>
 
 #include "core/block.hpp"
-#include "physics/advance.hpp"
-#include "physics/force_sweep.hpp"
-#include "physics/split.hpp"
-#include "physics/stability.hpp"
+#include "physics/lattice/advance.hpp"
+#include "physics/lattice/force_sweep.hpp"
+#include "physics/fracture/split.hpp"
+#include "physics/problem/stability.hpp"
 #include "tests/support/random_state.hpp"
 #include "tests/support/serial_network.hpp"
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "physics/network.hpp"
-#include "physics/state.hpp"
+#include "physics/problem/network.hpp"
+#include "physics/state/state.hpp"
 
 namespace cracksim::test {
 

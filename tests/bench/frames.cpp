@@ -9,10 +9,10 @@
 
 #include "io/frame_writer.hpp"
 #include "partition/session.hpp"
-#include "simulation/pictures.hpp"
-#include "simulation/scene_reader.hpp"
+#include "surface/frame_meshes.hpp"
+#include "scene/scene_reader.hpp"
 #include "simulation/simulation.hpp"
-#include "simulation/surface_frames.hpp"
+#include "surface/surface_frames.hpp"
 
 namespace cracksim::simulation {
 namespace {
@@ -31,8 +31,8 @@ public:
     void frame(const Simulation& s) override {
         ++frames_;
         keep(s);
-        make_anew(s, surface_anew_, Faces::all_free);
-        make_anew(s, crack_anew_, Faces::crack_only);
+        make_anew(s, surface_anew_, surface::Faces::all_free);
+        make_anew(s, crack_anew_, surface::Faces::crack_only);
     }
 
     void tell() const {
@@ -56,7 +56,7 @@ private:
     }
 
     void keep(const Simulation& s) {
-        const auto here = timed("kept 1: report", [&] { return packed(reporter_.report(s.dynamics(), s.coat())); });
+        const auto here = timed("kept 1: report", [&] { return surface::packed(reporter_.report(s.dynamics(), s.coat())); });
         const auto all = timed("kept 2: gather", [&] { return comm_.gather<std::byte>(here); });
         const bool root = comm_.is_root();
         const auto on_root = [&](const char* part, const auto& action) {
@@ -64,7 +64,7 @@ private:
         };
         const std::int64_t step = s.dynamics().state().step;
         const double time = s.dynamics().state().time();
-        on_root("kept 3: put together (background)", [&] { whole_.take(unpacked(all)); });
+        on_root("kept 3: put together (background)", [&] { whole_.take(surface::unpacked(all)); });
         on_root("kept 4: pick the crack (background)", [&] { (void)whole_.crack(); });
         on_root("kept 5: write (background)", [&] {
             surface_.write_alone(whole_.surface(), step, time);
@@ -72,17 +72,17 @@ private:
         });
     }
 
-    void make_anew(const Simulation& s, io::FrameWriter& writer, Faces faces) {
+    void make_anew(const Simulation& s, io::FrameWriter& writer, surface::Faces faces) {
         const auto mesh = timed("anew 1: assemble", [&] {
-            return surface_mesh(comm_, s.dynamics(), s.coat(), s.dynamics().evolution(), faces);
+            return surface::surface_mesh(comm_, s.dynamics(), s.coat(), s.dynamics().evolution(), faces);
         });
         timed("anew 2: write",
               [&] { return writer.write(mesh, s.dynamics().state().step, s.dynamics().state().time()).written(); });
     }
 
     const partition::Communicator& comm_;
-    SurfaceReporter reporter_;
-    WholeSurface whole_;
+    surface::SurfaceReporter reporter_;
+    surface::WholeSurface whole_;
     io::FrameWriter surface_;
     io::FrameWriter crack_;
     io::FrameWriter surface_anew_;
@@ -94,9 +94,9 @@ private:
 void measure(const partition::Communicator& comm, const std::string& file, const std::filesystem::path& directory) {
     std::ostringstream text;
     text << std::ifstream{file}.rdbuf();
-    const Scene scene = read_scene(text.str(), file, {});
+    const scene::Scene scene = scene::read_scene(text.str(), file, {});
     std::filesystem::create_directories(directory / "frames");
-    Stopwatch stopwatch;
+    dynamics::Stopwatch stopwatch;
     Simulation simulation{comm, scene, stopwatch};
     Measured measured{simulation, directory};
     simulation.run(measured);

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "physics/advance.hpp"
-#include "physics/force_sweep.hpp"
-#include "physics/sensors.hpp"
-#include "physics/split.hpp"
+#include "physics/lattice/advance.hpp"
+#include "physics/lattice/force_sweep.hpp"
+#include "physics/fracture/sensors.hpp"
+#include "physics/fracture/split.hpp"
 #include "tests/bench/damaged_block.hpp"
 #include "tests/bench/machine_limits.hpp"
 #include "tests/bench/row_reporter.hpp"

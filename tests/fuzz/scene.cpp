@@ -6,8 +6,8 @@
 
 #include "core/errors.hpp"
 #include "fuzz/finding.hpp"
-#include "simulation/scene_reader.hpp"
-#include "simulation/scene_resolved.hpp"
+#include "scene/scene_reader.hpp"
+#include "scene/resolved.hpp"
 
 namespace {
 
@@ -29,9 +29,9 @@ Input split(std::string_view bytes) {
     return input;
 }
 
-std::optional<simulation::Scene> accepted(const Input& input) {
+std::optional<scene::Scene> accepted(const Input& input) {
     try {
-        return simulation::read_scene(input.scene, "scene.yaml", input.settings);
+        return scene::read_scene(input.scene, "scene.yaml", input.settings);
     } catch (const InputError& error) {
         const std::string_view message = error.what();
         fuzz::require_good_message(message);
@@ -46,8 +46,8 @@ std::optional<simulation::Scene> accepted(const Input& input) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const auto scene = accepted(split({reinterpret_cast<const char*>(data), size}));
     if (scene) {
-        const std::string text = simulation::resolved(*scene);
-        fuzz::require(simulation::resolved(simulation::read_scene(text, "resolved.yaml", {})) == text,
+        const std::string text = scene::resolved(*scene);
+        fuzz::require(scene::resolved(scene::read_scene(text, "resolved.yaml", {})) == text,
                       "a resolved scene does not read back as itself");
     }
     return 0;

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "partition/communicator.hpp"
-#include "simulation/scene_reader.hpp"
+#include "scene/scene_reader.hpp"
 #include "simulation/simulation.hpp"
 #include "tests/long/cgal_block.hpp"
 #include "tests/long/flag.hpp"
@@ -128,8 +128,8 @@ private:
 };
 
 /// Runs a scene under the oracle; returns the number of splits.
-std::int64_t run(const Scene& scene, int every, const std::string& what) {
-    Stopwatch stopwatch;
+std::int64_t run(const scene::Scene& scene, int every, const std::string& what) {
+    dynamics::Stopwatch stopwatch;
     Simulation simulation{world(), scene, stopwatch};
     Oracle oracle{scene.block, every};
     simulation.run(oracle);
@@ -179,7 +179,7 @@ TEST(MapOracle, RandomBlocksAgreeDartByDartAfterEveryCoat) {
     for (std::uint64_t seed = first_seed(); seed < first_seed() + 50; ++seed) {
         SCOPED_TRACE(testing::Message() << "CRACKSIM_SEED=" << seed);
         const std::string duplets = seed % 2 == 0 ? "tree" : "corners";
-        const Scene scene = read_scene(random_scene(seed, duplets), "random.yaml", {});
+        const scene::Scene scene = scene::read_scene(random_scene(seed, duplets), "random.yaml", {});
         EXPECT_GT(run(scene, 1, "CRACKSIM_SEED=" + std::to_string(seed) + ", duplets " + duplets), 0);
     }
 }
@@ -187,7 +187,7 @@ TEST(MapOracle, RandomBlocksAgreeDartByDartAfterEveryCoat) {
 TEST(MapOracle, TheBlockOfThePaperAgreesDartByDart) {
     std::ifstream file{CRACKSIM_SOURCE_DIR "/inputs/block.yaml"};
     const std::string text{std::istreambuf_iterator<char>{file}, {}};
-    const Scene scene = read_scene(text, "block.yaml", std::vector<std::string>{"output.rate=0"});
+    const scene::Scene scene = scene::read_scene(text, "block.yaml", std::vector<std::string>{"output.rate=0"});
     EXPECT_GT(run(scene, 5, "inputs/block.yaml"), 10000);
 }
 

@@ -1,5 +1,5 @@
 // The coat, which follows the changes, against a look at the whole block after every modification, on any number of ranks.
-#include "simulation/coat.hpp"
+#include "surface/coat.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "geometry/fragments.hpp"
 #include "partition/communicator.hpp"
-#include "simulation/scene_reader.hpp"
+#include "scene/scene_reader.hpp"
 #include "simulation/simulation.hpp"
 #include "support/drawn_scene.hpp"
 #include "support/quick.hpp"
@@ -80,8 +80,8 @@ public:
         const auto unions = unions_.all();
         const LabelArray fragments =
             whole_labels(s, halo_, [&](LabelArray& labels) { return geometry::lower_to_fragment(unions, labels); });
-        labels_agree(s, components, &Coat::component, s.coat().component_count());
-        labels_agree(s, fragments, &Coat::fragment, s.coat().fragment_count());
+        labels_agree(s, components, &surface::Coat::component, s.coat().component_count());
+        labels_agree(s, fragments, &surface::Coat::fragment, s.coat().fragment_count());
         EXPECT_EQ(s.coat().crack_area(), crack_area(s));
         most_components = std::max(most_components, s.coat().component_count());
     }
@@ -101,7 +101,7 @@ private:
     }
 
     static void labels_agree(const Simulation& s, const LabelArray& expected,
-                             EntityId (Coat::*label)(LocalEntity) const, std::int64_t counted) {
+                             EntityId (surface::Coat::*label)(LocalEntity) const, std::int64_t counted) {
         const partition::Decomposition& d = s.dynamics().decomposition();
         std::int64_t count = 0;
         for (LocalEntity e{0}; e.index() < expected.size(); ++e) {
@@ -136,8 +136,8 @@ private:
 };
 
 std::int64_t most_components(const std::string& text, const std::vector<std::string>& settings) {
-    const Scene scene = read_scene(text, "coat.yaml", settings);
-    Stopwatch stopwatch;
+    const scene::Scene scene = scene::read_scene(text, "coat.yaml", settings);
+    dynamics::Stopwatch stopwatch;
     Simulation simulation{world(), scene, stopwatch};
     WholeBlock reference{simulation};
     simulation.run(reference);

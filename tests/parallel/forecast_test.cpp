@@ -5,9 +5,9 @@
 #include <string>
 
 #include "partition/communicator.hpp"
-#include "simulation/memory_forecast.hpp"
-#include "simulation/part_load.hpp"
-#include "simulation/scene_reader.hpp"
+#include "forecast/memory_forecast.hpp"
+#include "forecast/rank_counts.hpp"
+#include "scene/scene_reader.hpp"
 #include "simulation/simulation.hpp"
 
 namespace cracksim::simulation {
@@ -18,34 +18,34 @@ const partition::Communicator& world() {
     return comm;
 }
 
-Scene scene_of(const std::string& cells, const std::string& partition, const std::string& scheme,
+scene::Scene scene_of(const std::string& cells, const std::string& partition, const std::string& scheme,
                const std::string& sensors = "threshold: 0.02") {
-    return read_scene("block: {cells: " + cells + ", edge: 0.01}\nmaterial: {young: 2.0e4, density: 1000}\nsensors: {" +
+    return scene::read_scene("block: {cells: " + cells + ", edge: 0.01}\nmaterial: {young: 2.0e4, density: 1000}\nsensors: {" +
                           sensors + "}\ntime: {end: 0.01, scheme: " + scheme + "}\npartition: {kind: " + partition +
                           "}\n",
                       "forecast.yaml", {});
 }
 
-std::array<std::int64_t, 10> counts(const PartLoad& l) {
+std::array<std::int64_t, 10> counts(const forecast::PartLoad& l) {
     return {l.owned,    l.local, l.sites,       l.vertex_sites, l.interfaces,
             l.received, l.sent,  l.sent_unions, l.messages,     l.boundary_faces};
 }
 
 TEST(EstimatedLoads, AreExactForSlabsOfWholeLayers) {
-    const Scene scene = scene_of("[6, 5, 12]", "slab", "cordis");
-    Stopwatch stopwatch;
+    const scene::Scene scene = scene_of("[6, 5, 12]", "slab", "cordis");
+    dynamics::Stopwatch stopwatch;
     const Simulation simulation{world(), scene, stopwatch};
-    const auto estimated = estimated_loads(scene.block, scene.partition, world().size());
-    EXPECT_EQ(counts(load_of(simulation.dynamics(), simulation.coat())), counts(estimated[world().rank().index()]));
+    const auto estimated = forecast::estimated_loads(scene.block, scene.partition, world().size());
+    EXPECT_EQ(counts(forecast::load_of(simulation.dynamics(), simulation.coat())), counts(estimated[world().rank().index()]));
 }
 
 TEST(EstimatedLoads, AreWithinAQuarterOfMetisParts) {
-    const Scene scene = scene_of("[30, 30, 10]", "metis", "cordis");
-    Stopwatch stopwatch;
+    const scene::Scene scene = scene_of("[30, 30, 10]", "metis", "cordis");
+    dynamics::Stopwatch stopwatch;
     const Simulation simulation{world(), scene, stopwatch};
-    const PartLoad found = load_of(simulation.dynamics(), simulation.coat());
-    PartLoad estimated;
-    for (const PartLoad& load : estimated_loads(scene.block, scene.partition, world().size())) {
+    const forecast::PartLoad found = forecast::load_of(simulation.dynamics(), simulation.coat());
+    forecast::PartLoad estimated;
+    for (const forecast::PartLoad& load : forecast::estimated_loads(scene.block, scene.partition, world().size())) {
         estimated.local += load.local;
         estimated.sent += load.sent;
         estimated.sent_unions += load.sent_unions;
@@ -63,13 +63,13 @@ TEST(ModelBytes, AreWhatNetworkStateAndMapHold) {
                                                                  {"cordis", "threshold: 0.02, weibull: {shape: 4}"},
                                                                  {"cordis", "threshold: .inf, weibull: {shape: 4}"}};
     for (const auto& [scheme, sensors] : cases) {
-        const Scene scene = scene_of("[20, 16, 12]", "metis", scheme, sensors);
-        Stopwatch stopwatch;
+        const scene::Scene scene = scene_of("[20, 16, 12]", "metis", scheme, sensors);
+        dynamics::Stopwatch stopwatch;
         const Simulation simulation{world(), scene, stopwatch};
-        const Dynamics& dynamics = simulation.dynamics();
+        const dynamics::Dynamics& dynamics = simulation.dynamics();
         const auto held = static_cast<double>(dynamics.network().memory_bytes() + dynamics.state().memory_bytes() +
                                               simulation.coat().memory_bytes());
-        const double model = model_bytes(scene, load_of(dynamics, simulation.coat()), 0);
+        const double model = forecast::model_bytes(scene, forecast::load_of(dynamics, simulation.coat()), 0);
         // Lists that grew have room for more than they hold, of which the process never touches a page.
         EXPECT_LT(model, 1.04 * held);
         EXPECT_GT(model, 0.85 * held);

@@ -10,7 +10,7 @@
 #include "geometry/free_faces.hpp"
 #include "geometry/measures.hpp"
 #include "partition/communicator.hpp"
-#include "simulation/scene_reader.hpp"
+#include "scene/scene_reader.hpp"
 #include "simulation/simulation.hpp"
 #include "topology/dart.hpp"
 #include "topology/validity.hpp"
@@ -44,8 +44,8 @@ public:
         ++coats;
         map_is_valid(s);
         faces_are_sewn_exactly_while_corners_share_unions(s);
-        const LabelArray components = labels(s, &Coat::component);
-        const LabelArray fragments = labels(s, &Coat::fragment);
+        const LabelArray components = labels(s, &surface::Coat::component);
+        const LabelArray fragments = labels(s, &surface::Coat::fragment);
         boundaries_are_closed(s, components, components);
         boundaries_are_closed(s, fragments, components);
         rest_volumes_add_up_to_the_block(s, components, s.coat().component_count());
@@ -56,7 +56,7 @@ public:
 
 private:
     /// Of owned entities.
-    static LabelArray labels(const Simulation& s, EntityId (Coat::*label)(LocalEntity) const) {
+    static LabelArray labels(const Simulation& s, EntityId (surface::Coat::*label)(LocalEntity) const) {
         LabelArray all(s.dynamics().decomposition().entities.size());
         for (LocalEntity e{0}; e.index() < all.size(); ++e) {
             all[e] = s.dynamics().network().owned(e) ? (s.coat().*label)(e) : EntityId{};
@@ -96,7 +96,7 @@ private:
     void boundaries_are_closed(const Simulation& s, const LabelArray& labels, const LabelArray& components) {
         const auto& owned = s.dynamics().decomposition().owned;
         const auto faces = geometry::free_faces(s.coat().map(), owned.span());
-        const MassEvolution evolution = s.dynamics().evolution();
+        const dynamics::MassEvolution evolution = s.dynamics().evolution();
         if (world().size() == 1) {
             const auto reason = geometry::validate_closure(s.coat().map(), faces, components);
             EXPECT_FALSE(reason.has_value()) << *reason;
@@ -162,8 +162,8 @@ class CrackingBlock : public testing::TestWithParam<std::pair<const char*, const
 
 TEST_P(CrackingBlock, KeepsAllInvariantsAfterEveryCoat) {
     const auto [partition, scheme] = GetParam();
-    const Scene scene = read_scene(scene_text(partition, scheme, 3), "invariants.yaml", {});
-    Stopwatch stopwatch;
+    const scene::Scene scene = scene::read_scene(scene_text(partition, scheme, 3), "invariants.yaml", {});
+    dynamics::Stopwatch stopwatch;
     Simulation simulation{world(), scene, stopwatch};
     simulation.enable_audit();
     Invariants invariants;

@@ -1,4 +1,4 @@
-#include "simulation/motion_exchange.hpp"
+#include "dynamics/motion_exchange.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "core/hash.hpp"
-#include "physics/force_sweep.hpp"
-#include "physics/split.hpp"
-#include "simulation/problem.hpp"
-#include "simulation/scene_reader.hpp"
+#include "physics/lattice/force_sweep.hpp"
+#include "physics/fracture/split.hpp"
+#include "scene/problem.hpp"
+#include "scene/scene_reader.hpp"
 #include "support/network_members.hpp"
 
 namespace cracksim::simulation {
@@ -25,15 +25,15 @@ const partition::Communicator& world() {
 /// Network and state of this rank's part of a block.
 struct Part {
     explicit Part(const std::string& partition)
-        : scene{read_scene("block: {cells: [9, 6, 5], edge: 0.01}\nmaterial: {young: 2.0e4, density: 1000}\n"
+        : scene{scene::read_scene("block: {cells: [9, 6, 5], edge: 0.01}\nmaterial: {young: 2.0e4, density: 1000}\n"
                            "sensors: {threshold: 0.02}\ntime: {end: 0.01}\npartition: {kind: " +
                                partition + "}\n",
                            "exchange.yaml", {})},
-          decomposition{partition::decompose(world(), scene.block, partitioner(scene))},
-          network{build_network(world(), scene, decomposition)},
+          decomposition{partition::decompose(world(), scene.block, scene::partitioner(scene))},
+          network{scene::build_network(world(), scene, decomposition)},
           state{network, physics::Scheme::cordis, 0.001} {}
 
-    Scene scene;
+    scene::Scene scene;
     partition::Decomposition decomposition;
     physics::Network network;
     physics::State state;
@@ -84,11 +84,11 @@ std::map<MassId, Vec3> next_increments_of_all(const Part& part) {
     return all;
 }
 
-TEST(MotionExchange, BringsTheOwnersIncrementsAsUnionsFallApart) {
+TEST(dynamics::MotionExchange, BringsTheOwnersIncrementsAsUnionsFallApart) {
     for (const char* kind : {"metis", "slab", "random"}) {
         Part part{kind};
-        MotionExchange exchange{world(), part.network, part.decomposition, part.state};
-        Stopwatch stopwatch;
+        dynamics::MotionExchange exchange{world(), part.network, part.decomposition, part.state};
+        dynamics::Stopwatch stopwatch;
         physics::SplitStream splits;
         for (std::uint64_t round = 0; round < 8; ++round) {
             physics::split(part.network, drawn_duplets(part, round), part.state, splits);
@@ -105,15 +105,15 @@ TEST(MotionExchange, BringsTheOwnersIncrementsAsUnionsFallApart) {
     }
 }
 
-TEST(MotionExchange, EndsWhereAnOwnerKnowsOtherLabels) {
+TEST(dynamics::MotionExchange, EndsWhereAnOwnerKnowsOtherLabels) {
     Part part{"slab"};
     const bool is_wrong_here = world().is_root() && !part.network.received().empty();
     if (is_wrong_here) {
         const LocalMass m = part.network.received().back();
         part.state.unions.set_received_label(m, part.state.unions.label(m) == 0 ? 1 : 0);
     }
-    MotionExchange exchange{world(), part.network, part.decomposition, part.state};
-    Stopwatch stopwatch;
+    dynamics::MotionExchange exchange{world(), part.network, part.decomposition, part.state};
+    dynamics::Stopwatch stopwatch;
     const auto step = [&] { static_cast<void>(exchange.next_increments(part.network, part.state, stopwatch)); };
     if (is_wrong_here) {
         EXPECT_THROW(step(), std::logic_error);

@@ -1,15 +1,15 @@
 // The surface as the root keeps it from what the ranks tell, against the meshes that all ranks make anew, in every coat.
-#include "simulation/surface_frames.hpp"
+#include "surface/surface_frames.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "io/spread_mesh.hpp"
+#include "io/distributed_mesh.hpp"
 #include "partition/communicator.hpp"
-#include "simulation/pictures.hpp"
-#include "simulation/scene_reader.hpp"
+#include "surface/frame_meshes.hpp"
+#include "scene/scene_reader.hpp"
 #include "simulation/simulation.hpp"
 #include "support/drawn_scene.hpp"
 #include "support/quick.hpp"
@@ -34,11 +34,11 @@ public:
         if (coat_++ % coats_ != 0) {
             return;
         }
-        const auto all = world().gather<std::byte>(packed(reporter_.report(s.dynamics(), s.coat())));
-        const geometry::Mesh surface = made_anew(s, Faces::all_free);
-        const geometry::Mesh crack = made_anew(s, Faces::crack_only);
+        const auto all = world().gather<std::byte>(surface::packed(reporter_.report(s.dynamics(), s.coat())));
+        const geometry::Mesh surface = made_anew(s, surface::Faces::all_free);
+        const geometry::Mesh crack = made_anew(s, surface::Faces::crack_only);
         if (world().is_root()) {
-            whole_.take(unpacked(all));
+            whole_.take(surface::unpacked(all));
             are_equal(whole_.surface(), surface);
             are_equal(whole_.crack(), crack);
             most_crack_faces = std::max(most_crack_faces, crack.cells());
@@ -48,8 +48,8 @@ public:
     std::int64_t most_crack_faces{0};
 
 private:
-    static geometry::Mesh made_anew(const Simulation& s, Faces faces) {
-        const geometry::Mesh mesh = surface_mesh(world(), s.dynamics(), s.coat(), s.dynamics().evolution(), faces);
+    static geometry::Mesh made_anew(const Simulation& s, surface::Faces faces) {
+        const geometry::Mesh mesh = surface::surface_mesh(world(), s.dynamics(), s.coat(), s.dynamics().evolution(), faces);
         return io::gathered(world(), mesh, io::agreed_layout(world(), mesh));
     }
     static void are_equal(const geometry::Mesh& found, const geometry::Mesh& expected) {
@@ -63,8 +63,8 @@ private:
 
     int coats_;
     int coat_{0};
-    SurfaceReporter reporter_;
-    WholeSurface whole_;
+    surface::SurfaceReporter reporter_;
+    surface::WholeSurface whole_;
 };
 
 /// The most crack faces of each of some drawn scenes, added up; on the root.
@@ -73,8 +73,8 @@ std::int64_t crack_faces(const std::string& partition, int coats_a_frame) {
     for (std::uint64_t seed = test::is_quick ? 13 : 11; seed <= (test::is_quick ? 14 : 24); ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         const std::vector<std::string> settings{"partition.kind=" + partition, "output.rate=1e9"};
-        const Scene scene = read_scene(test::draw_scene(seed).text, "surface.yaml", settings);
-        Stopwatch stopwatch;
+        const scene::Scene scene = scene::read_scene(test::draw_scene(seed).text, "surface.yaml", settings);
+        dynamics::Stopwatch stopwatch;
         Simulation simulation{world(), scene, stopwatch};
         BothWays frames{simulation, coats_a_frame};
         simulation.run(frames);

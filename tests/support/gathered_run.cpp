@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "simulation/scene_reader.hpp"
+#include "scene/scene_reader.hpp"
 #include "simulation/simulation.hpp"
 
 namespace cracksim::test {
@@ -18,7 +18,7 @@ public:
     std::vector<physics::DupletEvent> events;
 };
 
-std::vector<MassMotion> owned_motions(const simulation::Dynamics& dynamics) {
+std::vector<MassMotion> owned_motions(const dynamics::Dynamics& dynamics) {
     const physics::Network& network = dynamics.network();
     const physics::State& state = dynamics.state();
     std::vector<MassMotion> motions;
@@ -34,8 +34,8 @@ std::vector<MassMotion> owned_motions(const simulation::Dynamics& dynamics) {
 }  // namespace
 
 GatheredRun run_gathered(const partition::Communicator& comm, const std::string& scene_text) {
-    const simulation::Scene scene = simulation::read_scene(scene_text, "drawn.yaml", {});
-    simulation::Stopwatch stopwatch;
+    const scene::Scene scene = scene::read_scene(scene_text, "drawn.yaml", {});
+    dynamics::Stopwatch stopwatch;
     simulation::Simulation simulation{comm, scene, stopwatch};
     EventCollector collector;
     simulation.run(collector);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "physics/network.hpp"
-#include "physics/state.hpp"
+#include "physics/problem/network.hpp"
+#include "physics/state/state.hpp"
 
 namespace cracksim::test {
 

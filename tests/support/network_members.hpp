@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/hash.hpp"
-#include "physics/network.hpp"
-#include "physics/state.hpp"
+#include "physics/problem/network.hpp"
+#include "physics/state/state.hpp"
 
 namespace cracksim::test {
 

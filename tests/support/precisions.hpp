@@ -3,7 +3,7 @@
 #include <array>
 #include <limits>
 
-#include "physics/motion.hpp"
+#include "physics/state/motion.hpp"
 
 namespace cracksim::test {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <random>
 
-#include "physics/state.hpp"
+#include "physics/state/state.hpp"
 
 namespace cracksim::test {
 

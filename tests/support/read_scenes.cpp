@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/errors.hpp"
-#include "simulation/scene_reader.hpp"
+#include "scene/scene_reader.hpp"
 
 /// Reads scenes from standard input, each ended by a NUL byte, and says for each, on a line, what the reader has against it:
 /// nothing if it is a scene.
@@ -11,7 +11,7 @@ int main() {
     using namespace cracksim;
     for (std::string scene; std::getline(std::cin, scene, '\0');) {
         try {
-            static_cast<void>(simulation::read_scene(scene, "scene.yaml", {}));
+            static_cast<void>(scene::read_scene(scene, "scene.yaml", {}));
             std::puts("");
         } catch (const InputError& error) {
             std::puts(error.what());

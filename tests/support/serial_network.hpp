@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/block.hpp"
-#include "physics/network.hpp"
+#include "physics/problem/network.hpp"
 
 namespace cracksim::test {
 

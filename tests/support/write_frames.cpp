@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "io/agreement.hpp"
+#include "io/collective_errors.hpp"
 #include "io/frame_writer.hpp"
 #include "io/run_directory.hpp"
 #include "io/summary.hpp"

@@ -6,11 +6,11 @@
 #include <functional>
 #include <iostream>
 
-#include "physics/advance.hpp"
-#include "physics/energies.hpp"
-#include "physics/force_sweep.hpp"
-#include "physics/sensors.hpp"
-#include "physics/split.hpp"
+#include "physics/lattice/advance.hpp"
+#include "physics/state/kinetic_energy.hpp"
+#include "physics/lattice/force_sweep.hpp"
+#include "physics/fracture/sensors.hpp"
+#include "physics/fracture/split.hpp"
 #include "support/linear_invariant.hpp"
 #include "support/serial_network.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/scene_reader.hpp"
+#include "scene/scene_reader.hpp"
 
 namespace cracksim::simulation {
 namespace {
@@ -27,7 +27,7 @@ TEST(SceneSchema, NamesTheKeysThatTheReaderKnows) {
     std::ifstream file{std::string{CRACKSIM_SOURCE_DIR} + "/inputs/scene.schema.json"};
     std::set<std::string> named;
     add_keys(Json::parse(file), "", named);
-    const std::vector<std::string> known = known_keys();
+    const std::vector<std::string> known = scene::known_keys();
     EXPECT_EQ(named, (std::set<std::string>{known.begin(), known.end()}));
 }
 

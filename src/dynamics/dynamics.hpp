@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "partition/audit.hpp"
+#include "partition/communicator.hpp"
+#include "partition/decomposition.hpp"
+#include "partition/exchange_plan.hpp"
+#include "physics/events.hpp"
+#include "physics/evolution.hpp"
+#include "physics/lattice/force_sweep.hpp"
+#include "physics/problem/network.hpp"
+#include "physics/fracture/sensors.hpp"
+#include "physics/state/state.hpp"
+#include "dynamics/motion_exchange.hpp"
+#include "scene/scene.hpp"
+#include "dynamics/stopwatch.hpp"
+
+namespace cracksim::dynamics {
+
+/// The evolution functions of this rank's masses at the current step.
+class MassEvolution final : public physics::Evolution {
+public:
+    /// Both must outlive this.
+    MassEvolution(const physics::Network& network, const physics::State& state) : network_{network}, state_{state} {}
+
+    [[nodiscard]] Vec3 rest(LocalMass m) const override { return network_.rest_position(m); }
+    [[nodiscard]] Vec3 displacement(LocalMass m) const override { return state_.displacement(state_.unions.slot(m)); }
+
+private:
+    const physics::Network& network_;
+    const physics::State& state_;
+};
+
+/// Where physics and partition meet: the network's motion on all ranks, step by step.
+/// A step is  act(); ... ; advance();  between act and advance, all is at state n.
+class Dynamics {
+public:
+    /// Collective. Throws InputError on all ranks alike. comm and stopwatch must outlive this.
+    Dynamics(const partition::Communicator& comm, const scene::Scene& scene, double step_size, Stopwatch& stopwatch);
+
+    /// The forces at the start.
+    void begin();
+    /// Sensing and splits at the current state. No communication.
+    void act();
+    /// The explicit step of every union, received ones from the owners of their entities, and the forces at the new state. Collective.
+    void advance(physics::Measure measure);
+
+    [[nodiscard]] const partition::Decomposition& decomposition() const { return decomposition_; }
+    [[nodiscard]] const physics::Network& network() const { return network_; }
+    [[nodiscard]] const physics::State& state() const { return state_; }
+    [[nodiscard]] const MotionExchange& exchange() const { return exchange_; }
+    [[nodiscard]] MassEvolution evolution() const { return {network_, state_}; }
+
+    /// Splits of this rank's touched unions since the last call.
+    [[nodiscard]] physics::SplitStream take_splits();
+    /// Events since the last call that this rank reports: duplets whose smaller mass it owns.
+    [[nodiscard]] std::vector<physics::DupletEvent> take_events();
+
+    /// Over this rank's reported events so far.
+    [[nodiscard]] std::int64_t inactive_duplets() const { return inactive_duplets_; }
+    [[nodiscard]] std::uint64_t event_hash() const { return event_hash_; }
+    /// Unions split so far that this rank reports (it owns their smallest mass), and the parts they left beyond the first.
+    [[nodiscard]] std::int64_t splits() const { return splits_; }
+    [[nodiscard]] std::int64_t parts_gained() const { return parts_gained_; }
+
+    /// Collective; throws SharedError with what was found.
+    void audit(const partition::Audit& audit) const;
+
+private:
+    [[nodiscard]] std::span<const Vec3> received_increments();
+
+    const partition::Communicator* comm_;
+    Stopwatch* stopwatch_;
+    partition::Decomposition decomposition_;
+    physics::Network network_;
+    physics::State state_;
+    MotionExchange exchange_;
+    physics::Sensors sensors_;
+    physics::SplitStream new_splits_;
+    std::size_t counted_splits_{0};
+    std::vector<physics::DupletEvent> new_events_;
+    std::int64_t inactive_duplets_{0};
+    std::uint64_t event_hash_{0};
+    std::int64_t splits_{0};
+    std::int64_t parts_gained_{0};
+};
+
+}  // namespace cracksim::dynamics

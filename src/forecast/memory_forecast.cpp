@@ -1,0 +1,236 @@
+#include "forecast/memory_forecast.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/hexahedron.hpp"
+#include "io/frame_writer.hpp"
+#include "physics/problem/network.hpp"
+#include "physics/fracture/sensors.hpp"
+#include "physics/state/state.hpp"
+#include "surface/local_surface.hpp"
+#include "surface/mesh_assembly.hpp"
+#include "surface/surface_frames.hpp"
+#include "surface/surface_update.hpp"
+#include "topology/face_link.hpp"
+#include "topology/connectivity/spanning_forest.hpp"
+
+namespace cracksim::forecast {
+
+namespace {
+
+// Measured; all else follows from the sizes of what is held.
+
+/// What libraries take when they are first used (HDF5, messages, code) beside the block.
+constexpr double libraries_in_use = 6e6;
+/// What they take for a while where no block gave them room, with the thread that writes, over what the process held before: the
+/// peak of runs of 1 to 224 entities, 10.0 to 11.2 MB on 1, 2 and 4 ranks; without that thread another machine took 0.6 MB less.
+constexpr Range least_in_use{8'900'000, 12'000'000};
+/// Per entity of the whole block, on the root: the graph, and METIS's coarser graphs; the peak of 800,000 entities on 8 ranks.
+constexpr double metis_per_entity = 180;
+/// Per mass that is sent or received, beside what the exchange of motion keeps of it: ids, PetscSF's lists and buffers.
+constexpr double exchange_per_mass = 45;
+
+constexpr double duplets = physics::Network::duplets_per_interface;
+
+double number(std::int64_t n) { return static_cast<double>(n); }
+double between(const Range& range, double opened) {
+    return number(range.intact) + opened * number(range.broken - range.intact);
+}
+
+double number_bytes(const scene::Time& time) {
+    return time.precision == physics::Precision::binary32 ? sizeof(float) : sizeof(double);
+}
+
+double masses(const PartLoad& load) { return Hexahedron::corners * number(load.local); }
+
+/// A factor does not change an infinite threshold.
+bool has_one_threshold(const scene::Sensors& sensors) {
+    return sensors.threshold.is_constant() && (!sensors.weibull || std::isinf(sensors.threshold({}, 0)));
+}
+
+/// But for the lattice, which is in state_bytes.
+double network_bytes(const PartLoad& load, bool one_threshold) {
+    constexpr double per_entity = sizeof(EntityId) + sizeof(std::uint8_t) + Hexahedron::faces * sizeof(std::int32_t);
+    const double thresholds = one_threshold ? 0 : duplets * sizeof(double);
+    const double per_interface = sizeof(physics::Interface) + thresholds + sizeof(std::uint8_t);
+    return number(load.local) * per_entity + number(load.interfaces) * per_interface +
+           number(load.received) * (sizeof(LocalMass) + sizeof(std::size_t) + sizeof(physics::ReceivedUnions::Entry));
+}
+
+/// What grows with the splits is given an eighth of room; on average half of that is left.
+constexpr double with_room = 1 + 1.0 / 16;
+
+/// Rows with their void places; the base plane has a place for every vertex.
+double state_bytes(const PartLoad& load, const scene::Time& time) {
+    constexpr double lanes = physics::Lattice::lanes;
+    constexpr double per_entity = Hexahedron::corners * sizeof(std::uint8_t) + sizeof(std::int32_t);
+    constexpr double limits = physics::HexahedronPairs::edges * lanes * sizeof(physics::UpperHalf);
+    constexpr double per_batch = physics::Merging::bytes_per_batch + limits + sizeof(physics::EdgeBits) +
+                                 2 * (sizeof(std::uint32_t) + sizeof(std::int32_t)) + sizeof(std::int32_t);
+    constexpr double per_site = sizeof(LocalEntity) + per_batch / lanes;
+    constexpr double per_vertex = sizeof(std::uint8_t) + sizeof(physics::Sensing::Revision) + sizeof(std::int32_t) +
+                                  2 * sizeof(std::int32_t) / lanes;
+    const double components = time.scheme == physics::Scheme::ab2 ? 13 : 10;
+    return number(load.local) * per_entity + number(load.sites) * per_site +
+           number(load.vertex_sites) * (per_vertex + components * number_bytes(time)) + number(load.interfaces);
+}
+
+/// Motions of unions off the base plane.
+double pooled_motion_bytes(const PartLoad& load, const scene::Time& time, double opened) {
+    const double components = physics::Pooled::together * (time.scheme == physics::Scheme::ab2 ? 4 : 3);
+    const double unions = masses(load) * (physics::planes - 1) / physics::planes;
+    return opened * unions * with_room * (components * number_bytes(time) + sizeof(physics::PoolPlace));
+}
+
+/// The same, and what finds them.
+double pool_bytes(const PartLoad& load, const scene::Time& time, double opened) {
+    constexpr double per_vertex = with_room * physics::planes * sizeof(physics::PoolPlace);
+    constexpr double per_site = with_room * sizeof(physics::PooledCorners) / physics::Lattice::half;
+    const double lists = number(load.vertex_sites) * per_vertex + number(load.sites) * per_site;
+    return pooled_motion_bytes(load, time, opened) + opened * lists;
+}
+
+/// While all that opens does so at once: the sensors over its edges, and the pool twice as it is put in order.
+double breaking_bytes(const PartLoad& load, const scene::Time& time, double opened) {
+    return opened * number(load.interfaces) * with_room * physics::Sensors::bytes_per_interface() +
+           pooled_motion_bytes(load, time, opened);
+}
+
+/// Links, masks, unions by mass, the search for what came off, twice a tree and pieces, and the free faces with what finds them.
+double coat_bytes(const PartLoad& load, double opened) {
+    constexpr double search = sizeof(LocalEntity) + sizeof(std::int32_t);
+    constexpr double per_entity = Hexahedron::faces * sizeof(topology::FaceLink) + sizeof(std::uint8_t) +
+                                  Hexahedron::corners * sizeof(LocalMass) + search +
+                                  2 * (sizeof(LocalEntity) + sizeof(topology::Piece)) + sizeof(std::int32_t) +
+                                  sizeof(std::uint8_t);
+    const double free_faces = number(load.boundary_faces) + 2 * opened * number(load.interfaces);
+    return number(load.local) * per_entity + free_faces * (sizeof(surface::LocalSurface::Face) + sizeof(std::int32_t));
+}
+
+double distribution_bytes(const PartLoad& load) {
+    constexpr double per_entity = sizeof(EntityId) + sizeof(Rank) + sizeof(std::uint8_t);
+    constexpr double per_mass =
+        exchange_per_mass + dynamics::MotionExchange::longest_per_mass + physics::ListedUnions::bytes_per_mass;
+    return number(load.local) * per_entity + number(load.received + load.sent) * per_mass +
+           number(load.received) * sizeof(Vec3);
+}
+
+/// Before the rank has anything else: the owner of every entity of the block, a mark for each, and on the root what METIS takes.
+double partition_bytes(const scene::Scene& scene, const RankSetting& setting) {
+    const bool by_metis = setting.is_root && setting.ranks > 1 && scene.partition == scene::PartitionKind::metis;
+    return number(scene.block.entity_count()) *
+           (sizeof(Rank) + sizeof(std::uint8_t) + (by_metis ? metis_per_entity : 0.0));
+}
+
+/// Cells of a frame that a rank makes of its own entities, and that it files by their ids: the first run of ids has the lower side
+/// of the block, so it has the most.
+struct Share {
+    double made;
+    double filed;
+};
+
+Share share_of(const scene::Scene& scene, const SeriesForecast& series, const PartLoad& load, int ranks, double opened) {
+    const Block& block = scene.block;
+    const double all = number(block.entity_count());
+    const double boundary = Hexahedron::faces * all - 2 * number(block.interior_face_count());
+    const bool begins_as_boundary =
+        number(series.faces.intact) == boundary && series.faces.broken > series.faces.intact;
+    const double inside = opened * number(series.faces.broken - series.faces.intact);
+    if (!begins_as_boundary) {
+        const double cells = number(series.faces.intact) + inside;
+        return {cells * number(load.owned) / all, cells / ranks};
+    }
+    const double lower = number(block.cells()[0] * block.cells()[1]);
+    const double first = ranks == 1 ? boundary : std::min(lower, all / ranks) + (boundary - 2 * lower) / ranks;
+    return {number(load.boundary_faces) + inside * number(load.owned) / all, first + inside / ranks};
+}
+
+/// The busiest moment of the assembly of a mesh: records of points (or cells) as made, sorted out by rank and joined for the
+/// message; as received, and split by rank; beside them the records of cells (or points).
+double assembly_bytes(const Share& cells, double corners) {
+    const double cell = sizeof(surface::CellRecord);
+    const double point = corners * sizeof(surface::PointRecord);
+    const double while_points = (3 * point + cell) * cells.made + 2 * point * cells.filed;
+    const double while_cells = (point + 3 * cell) * cells.made + (point + 2 * cell) * cells.filed;
+    return std::max(while_points, while_cells);
+}
+
+/// A small frame is gathered: the root has it whole, one of its arrays (a value for each corner of a cell) twice.
+double gathering_bytes(const SeriesForecast& series, const RankSetting& setting, double cells, double frame) {
+    const bool gathered = setting.is_root && frame < number(io::FrameWriter::default_gather_below);
+    const double share = frame / setting.ranks;
+    return gathered ? share + frame + number(series.cells.corners()) * cells * sizeof(std::int64_t) : share;
+}
+
+bool is_kept(const SeriesForecast& series, double cells) {
+    const bool is_surface = series.name == "surface" || series.name == "crack";
+    return is_surface && surface::SurfaceFrames::fit(series.cells, std::llround(cells));
+}
+
+/// Of a surface that is kept from frame to frame: points and what is told, as lists and packed; on the root what all have told, in the
+/// same way, and the whole of it with its keys, its order and the part that is the crack.
+double keeping_bytes(const SeriesForecast& series, const RankSetting& setting, double made, double opened) {
+    constexpr double cell_told = sizeof(surface::SurfaceNews::Face) + sizeof(EntityId);
+    constexpr double point_told = sizeof(MassId) + sizeof(Vec3);
+    constexpr double cell_kept = sizeof(std::int64_t) + sizeof(std::int32_t);
+    const double cells = between(series.faces, opened);
+    const double points_a_cell = between(series.points, opened) / std::max(1.0, cells);
+    const double crack = (cells - number(series.faces.intact)) / std::max(1.0, cells);
+    const auto told = [&](double faces) { return 2 * faces * (cell_told + points_a_cell * point_told); };
+    const double here = told(made) + made * points_a_cell * (sizeof(LocalMass) + sizeof(Vec3));
+    const double meshes = (1 + crack) * between(series.frame_bytes, opened);
+    const double whole = told(cells) + meshes + cells * (1 + points_a_cell) * cell_kept;
+    return here + (setting.is_root ? whole : 0);
+}
+
+/// The series that takes most.
+double frame_bytes(const scene::Scene& scene, const PartLoad& load, const RankSetting& setting, double opened) {
+    double most = 0;
+    for (const SeriesForecast& series : forecast_series(scene)) {
+        const double cells = between(series.faces, opened);
+        const double frame = between(series.frame_bytes, opened);
+        const Share share = share_of(scene, series, load, setting.ranks, opened);
+        const double taken = is_kept(series, cells) ? keeping_bytes(series, setting, share.made, opened)
+                                                    : std::max(assembly_bytes(share, number(series.cells.corners())),
+                                                               gathering_bytes(series, setting, cells, frame));
+        most = std::max(most, taken);
+    }
+    return most;
+}
+
+/// The events of a coat: as told by the rank, and on the root all of them gathered, sorted, and as columns of the file.
+double event_bytes(const scene::Scene& scene, const PartLoad& load, const RankSetting& setting, double opened) {
+    constexpr double event = sizeof(physics::DupletEvent);
+    constexpr double part = 3 * sizeof(std::int64_t);
+    constexpr double stream = sizeof(std::size_t) + sizeof(LocalMass);
+    const auto held = [&](double entities, double interfaces, double copies) {
+        const double each_mass = Hexahedron::corners * entities * (part + sizeof(MassId));
+        return copies * (interfaces * duplets * event + each_mass);
+    };
+    const double here = held(number(load.owned), number(load.interfaces), 1) + masses(load) * stream;
+    constexpr double columns = 4 * sizeof(std::int64_t);
+    const double all_interfaces = number(scene.block.interior_face_count());
+    const double on_root =
+        held(number(scene.block.entity_count()), all_interfaces, 2) + all_interfaces * duplets * columns;
+    return opened * (here + (setting.is_root ? on_root : 0));
+}
+
+}  // namespace
+
+double model_bytes(const scene::Scene& scene, const PartLoad& load, double opened) {
+    return network_bytes(load, has_one_threshold(scene.sensors)) + state_bytes(load, scene.time) +
+           pool_bytes(load, scene.time, opened) + coat_bytes(load, opened);
+}
+
+std::int64_t peak_bytes(const scene::Scene& scene, const PartLoad& load, const RankSetting& setting, double opened) {
+    const double model = model_bytes(scene, load, opened) + distribution_bytes(load);
+    // Events and frames add up: SuperLU_DIST, which comes with PETSc, sets the allocator to give nothing back to the system, and the
+    // pieces that a coat leaves are too small for a frame.
+    const double running = model + breaking_bytes(load, scene.time, opened) +
+                           event_bytes(scene, load, setting, opened) + frame_bytes(scene, load, setting, opened);
+    const double phases = libraries_in_use + std::max(partition_bytes(scene, setting), running);
+    return setting.process_bytes + std::llround(std::max(phases, between(least_in_use, opened)));
+}
+
+}  // namespace cracksim::forecast

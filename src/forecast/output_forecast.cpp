@@ -1,0 +1,155 @@
+#include "forecast/output_forecast.hpp"
+
+#include <algorithm>
+
+#include "core/hexahedron.hpp"
+#include "io/event_writer.hpp"
+#include "io/history_writer.hpp"
+#include "io/summary.hpp"
+#include "io/vtkhdf.hpp"
+#include "surface/frame_meshes.hpp"
+#include "scene/resolved.hpp"
+#include "scene/schedule.hpp"
+
+namespace cracksim::forecast {
+
+namespace {
+
+/// cracksim.log and the mark of the directory: some lines, whatever the scene.
+constexpr std::int64_t small_files = 1500;
+
+io::CellLayout cells_of(const surface::MeshLayout& layout) {
+    io::CellLayout cells{.kind = layout.kind, .fields = {}};
+    for (const std::string& name : layout.integer_names) {
+        cells.fields.push_back({name, true});
+    }
+    for (const std::string& name : layout.real_names) {
+        cells.fields.push_back({name, false});
+    }
+    return cells;
+}
+
+std::int64_t frame_bytes(const io::CellLayout& cells, std::int64_t faces, std::int64_t points) {
+    return faces == 0 ? 0 : io::vtkhdf_bytes({{.file = {}, .faces = faces, .points = points}, cells});
+}
+
+/// An interface that opens where a crack runs on has two faces, and two points on them that no picture had.
+SeriesForecast series(std::string name, const surface::MeshLayout& layout, Range faces, Range points) {
+    const io::CellLayout cells = cells_of(layout);
+    const Range bytes{frame_bytes(cells, faces.intact, points.intact), frame_bytes(cells, faces.broken, points.broken)};
+    const bool grows = faces.intact != faces.broken;
+    const std::int64_t added = grows ? frame_bytes(cells, 3, 3) - frame_bytes(cells, 1, 1) : 0;
+    return {std::move(name), cells, faces, points, bytes, added};
+}
+
+/// Vertices on the block's boundary.
+std::int64_t boundary_vertices(const Block& block) {
+    const auto [nx, ny, nz] = block.cells();
+    return block.vertex_count() - (nx - 1) * (ny - 1) * (nz - 1);
+}
+
+/// Of the steps 0 to `last`, those that are due, and in any case the first and the last.
+std::int64_t times(const scene::Schedule& schedule, std::int64_t last) {
+    return schedule.due_until(last) + (schedule.is_due(0) ? 0 : 1) + (schedule.is_due(last) || last == 0 ? 0 : 1);
+}
+
+/// A coat is brought up to date at its rate and for each frame. Where that is very often, it is not counted which times are common:
+/// as if the rarer of the two never came alone.
+std::int64_t coats(const scene::Schedule& coat, double coat_rate, const scene::Schedule& frame, std::int64_t last) {
+    std::int64_t count = times(frame, last);
+    if (!(coat_rate > 0)) {
+        return count;
+    }
+    constexpr std::int64_t most_counted = 1'000'000;
+    if (const std::int64_t due = times(coat, last); due > most_counted) {
+        return std::max(count, due);
+    }
+    for (std::int64_t step = coat.next_due(0); step < last; step = coat.next_due(step)) {
+        count += frame.is_due(step) ? 0 : 1;
+    }
+    return count;
+}
+
+/// A product of bytes, at most so much that a few of them can be added.
+std::int64_t capped_product(std::int64_t times, std::int64_t bytes) {
+    constexpr std::int64_t most = std::int64_t{1} << 60;
+    return static_cast<double>(times) * static_cast<double>(bytes) < static_cast<double>(most) ? times * bytes : most;
+}
+
+/// Which end of a range.
+using End = std::int64_t Range::*;
+
+/// The first frame is intact at both ends: what breaks at once does so after it.
+std::int64_t frames_written(const SeriesForecast& series, std::int64_t later, End end) {
+    return (series.frame_bytes.intact > 0 ? 1 : 0) + (series.frame_bytes.*end > 0 ? later : 0);
+}
+
+/// Frames and their indexes. Times are as long as they commonly are.
+std::int64_t series_bytes(const SeriesForecast& series, std::int64_t later, End end) {
+    io::IndexedFrame typical;
+    typical.cells = series.cells;
+    typical.record.file = "frames/" + series.name + "-000000.hdf";
+    typical.record.time = 1.0 / 3.0;
+    typical.record.faces = series.faces.*end;
+    typical.record.points = series.points.*end;
+    return series.frame_bytes.intact + capped_product(later, series.frame_bytes.*end) +
+           io::index_bytes(series.name, typical, frames_written(series, later, end));
+}
+
+std::int64_t all_bytes(const scene::Scene& scene, const OutputForecast& forecast, End end) {
+    const std::int64_t later = forecast.frames - 1;
+    std::int64_t bytes =
+        small_files + static_cast<std::int64_t>(scene::resolved(scene).size()) + io::history_bytes(forecast.history_rows);
+    std::int64_t frames = 0;
+    for (const SeriesForecast& one : forecast.series) {
+        bytes += series_bytes(one, later, end);
+        frames += frames_written(one, later, end);
+    }
+    return bytes + io::summary_bytes(frames);
+}
+
+}  // namespace
+
+std::vector<SeriesForecast> forecast_series(const scene::Scene& scene) {
+    const Block& block = scene.block;
+    const std::int64_t all_faces = block.entity_count() * Hexahedron::faces;
+    const std::int64_t boundary = all_faces - 2 * block.interior_face_count();
+    const std::int64_t masses = block.mass_count();
+    std::vector<SeriesForecast> all;
+    if (scene.output.surface) {
+        all.push_back(
+            series("surface", surface::surface_layout(block), {boundary, all_faces}, {boundary_vertices(block), masses}));
+    }
+    if (scene.output.crack) {
+        all.push_back(
+            series("crack", surface::surface_layout(block), {0, all_faces - boundary}, {0, boundary == all_faces ? 0 : masses}));
+    }
+    if (scene.output.masses) {
+        all.push_back(series("masses", surface::mass_layout(block), {masses, masses}, {masses, masses}));
+    }
+    if (scene.output.topology) {
+        const std::int64_t corners = all_faces * Hexahedron::face_corners;
+        all.push_back(series("topology", surface::topology_layout(block), {all_faces, all_faces}, {corners, corners}));
+    }
+    return all;
+}
+
+OutputForecast forecast_output(const scene::Scene& scene, const scene::CertifiedStep& certified) {
+    const scene::Schedule frame{scene.output.rate, certified.step};
+    OutputForecast forecast;
+    forecast.frames = times(frame, certified.steps);
+    forecast.coats = coats(scene::Schedule{scene.coat_rate, certified.step}, scene.coat_rate, frame, certified.steps);
+    forecast.history_rows = times(scene::Schedule{scene.history_rate, certified.step}, certified.steps);
+    forecast.series = forecast_series(scene);
+
+    for (const SeriesForecast& one : forecast.series) {
+        forecast.per_interface += one.per_interface;
+    }
+    const std::int64_t duplets = scene::scene_counts(scene).duplets;
+    const std::int64_t masses = scene.block.mass_count();
+    forecast.bytes = {all_bytes(scene, forecast, &Range::intact) + io::event_file_bytes(0, 0, 0),
+                      all_bytes(scene, forecast, &Range::broken) + io::event_file_bytes(duplets, masses, masses)};
+    return forecast;
+}
+
+}  // namespace cracksim::forecast

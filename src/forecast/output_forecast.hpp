@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/frame_index.hpp"
+#include "scene/problem.hpp"
+#include "scene/scene.hpp"
+
+namespace cracksim::forecast {
+
+/// The two ends between which a run lies: nothing breaks, or every interface opens in the first step.
+struct Range {
+    std::int64_t intact{0};
+    std::int64_t broken{0};
+};
+
+/// A series of frames as the scene asks for it.
+struct SeriesForecast {
+    std::string name;
+    io::CellLayout cells;
+    Range faces;                 ///< cells of one frame
+    Range points;                ///< of one frame
+    Range frame_bytes;           ///< 0 for a frame without cells, which is not written
+    std::int64_t per_interface;  ///< bytes that an opened interface adds to each frame
+};
+
+/// What a run writes and when. Numbers of times are exact.
+struct OutputForecast {
+    std::int64_t frames{0};
+    std::int64_t coats{0};
+    std::int64_t history_rows{0};
+    std::vector<SeriesForecast> series;
+    Range bytes;                    ///< of all files of DIR at the end
+    std::int64_t per_interface{0};  ///< bytes, for each interface that opens, in each later frame
+};
+
+/// The series that a scene writes.
+[[nodiscard]] std::vector<SeriesForecast> forecast_series(const scene::Scene& scene);
+
+[[nodiscard]] OutputForecast forecast_output(const scene::Scene& scene, const scene::CertifiedStep& certified);
+
+}  // namespace cracksim::forecast

@@ -1,0 +1,33 @@
+#include "physics/lattice/edge_limits.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace cracksim::physics {
+
+EdgeLimits::EdgeLimits(const Lattice& lattice)
+    : by_edge_(lattice.batches() * of_batch, UpperHalf::infinity()), lowest_(lattice.halves(), UpperHalf::infinity()) {}
+
+void EdgeLimits::set(Site site, int edge, UpperHalf limit) {
+    const UpperHalf before = std::exchange(by_edge_[place(site, edge)], limit);
+    UpperHalf& lowest = lowest_[site.index() / Lattice::half];
+    if (limit.value() < lowest.value()) {
+        lowest = limit;
+    } else if (before == lowest && limit != before) {
+        lowest = lowest_in(site.index() / Lattice::half);
+    }
+}
+
+UpperHalf EdgeLimits::lowest_in(std::size_t half) const {
+    UpperHalf lowest = UpperHalf::infinity();
+    for (int edge = 0; edge < HexahedronPairs::edges; ++edge) {
+        const std::size_t first = place(Site{static_cast<std::int32_t>(half * Lattice::half)}, edge);
+        for (std::size_t lane = 0; lane < Lattice::half; ++lane) {
+            lowest = std::min(lowest, by_edge_[first + lane],
+                              [](UpperHalf a, UpperHalf b) { return a.value() < b.value(); });
+        }
+    }
+    return lowest;
+}
+
+}  // namespace cracksim::physics

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "physics/problem/entity_model.hpp"
+#include "physics/problem/lattice.hpp"
+#include "physics/lattice/bfloat16.hpp"
+
+namespace cracksim::physics {
+
+/// Of each entity's edges the extension |d|^2/L0^2 - 1 up to which no sensor that reaches over the edge can trigger; infinite if there is none
+/// or the entity does not carry the edge. Beside them the lowest of half a batch: most sweeps need no more than that.
+class EdgeLimits {
+public:
+    /// All infinite.
+    explicit EdgeLimits(const Lattice& lattice);
+
+    [[nodiscard]] UpperHalf of(Site site, int edge) const { return by_edge_[place(site, edge)]; }
+    void set(Site site, int edge, UpperHalf limit);
+
+    /// [batch][edge][lane]
+    [[nodiscard]] const UpperHalf* by_edge() const { return by_edge_.data(); }
+    /// [half of a batch]
+    [[nodiscard]] const UpperHalf* lowest() const { return lowest_.data(); }
+    [[nodiscard]] std::size_t memory_bytes() const {
+        return (by_edge_.capacity() + lowest_.capacity()) * sizeof(UpperHalf);
+    }
+    friend bool operator==(const EdgeLimits&, const EdgeLimits&) = default;
+
+    static constexpr std::size_t of_batch = HexahedronPairs::edges * std::size_t{Lattice::lanes};
+
+private:
+    [[nodiscard]] static std::size_t place(Site site, int edge) {
+        return site.index() / Lattice::lanes * of_batch + static_cast<std::size_t>(edge * Lattice::lanes) +
+               site.index() % Lattice::lanes;
+    }
+    [[nodiscard]] UpperHalf lowest_in(std::size_t half) const;
+
+    std::vector<UpperHalf> by_edge_;
+    std::vector<UpperHalf> lowest_;
+};
+
+}  // namespace cracksim::physics

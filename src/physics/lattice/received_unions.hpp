@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "physics/problem/network.hpp"
+#include "physics/state/unions.hpp"
+
+namespace cracksim::physics {
+
+/// The unions of the received masses. Their owners advance them, and tell the same of all masses of a union: one of them will do.
+class ReceivedUnions {
+public:
+    struct Entry {
+        Slot slot;
+        std::size_t mass;  ///< index into Network::received
+    };
+
+    ReceivedUnions(const Network& network, const UnionTable& unions);
+
+    /// Masses at these vertices have new labels.
+    void update(const Network& network, const UnionTable& unions, std::span<const VertexSite> vertices);
+    /// Those at a row of vertices, each once.
+    [[nodiscard]] std::span<const Entry> in_row(std::size_t row) const { return unions_in_row_[row]; }
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+private:
+    void find_in_row(const Network& network, const UnionTable& unions, std::size_t row);
+
+    std::vector<std::vector<std::size_t>> masses_in_row_;  ///< indices into Network::received
+    std::vector<std::vector<Entry>> unions_in_row_;
+};
+
+}  // namespace cracksim::physics

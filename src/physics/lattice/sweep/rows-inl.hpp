@@ -1,0 +1,156 @@
+// A row of entities in vectors of neighbours, once for each SIMD target: no include guard, but Highway's.
+#if defined(CRACKSIM_PHYSICS_ROWS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef CRACKSIM_PHYSICS_ROWS_INL_HPP
+#undef CRACKSIM_PHYSICS_ROWS_INL_HPP
+#else
+#define CRACKSIM_PHYSICS_ROWS_INL_HPP
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+
+#include "physics/lattice/sweep/interaction-inl.hpp"
+#include "physics/state/motion.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace cracksim::physics::HWY_NAMESPACE {
+
+/// What some entity of the vector carries, and of Merging's properties those that all of its halves have.
+template <class Real>
+HWY_INLINE unsigned CarriedBy(const SweepView<Real>& v, std::size_t site) {
+    const std::uint32_t* half = v.carried + site / Lattice::half;
+    if constexpr (is_whole_batch<Real>) {
+        return ((half[0] | half[1]) & ~Merging::properties) | (half[0] & half[1] & Merging::properties);
+    } else {
+        return half[0];
+    }
+}
+
+/// All corners are in the base plane.
+template <class Real>
+HWY_INLINE bool IsBase(const SweepView<Real>& v, std::size_t site) {
+    const std::int32_t* half = v.pooled_of_half + site / Lattice::half;
+    return half[0] < 0 && (!is_whole_batch<Real> || half[1] < 0);
+}
+
+/// The upper corners' forces one lane on, so that they stand at the same vertices as the lower ones; the last one goes to the
+/// next vector.
+template <class Real>
+HWY_INLINE V<Real> Shifted(V<Real> upper, V<Real>& from_before) {
+#if HWY_TARGET <= HWY_AVX3
+    // One instruction, which Highway has no name for.
+    static_assert(is_whole_batch<Real>);
+    V<Real> shifted;
+    if constexpr (sizeof(Real) > sizeof(float)) {
+        shifted.raw = _mm512_castsi512_pd(
+            _mm512_alignr_epi64(_mm512_castpd_si512(upper.raw), _mm512_castpd_si512(from_before.raw), 7));
+    } else {
+        shifted.raw = _mm256_castsi256_ps(
+            _mm256_alignr_epi32(_mm256_castps_si256(upper.raw), _mm256_castps_si256(from_before.raw), 7));
+    }
+    from_before = upper;
+#else
+    const D<Real> d;
+    const hn::RebindToSigned<D<Real>> di;
+    using Index = hn::TFromD<decltype(di)>;
+    HWY_ALIGN static constexpr Index rotation[8] = {-1, 0, 1, 2, 3, 4, 5, 6};
+    const auto lanes = hn::Set(di, static_cast<Index>(hn::Lanes(d)) - 1);
+    const auto index = hn::IndicesFromVec(d, hn::And(hn::Load(di, rotation), lanes));
+    const V<Real> rotated = hn::TableLookupLanes(upper, index);
+    const V<Real> shifted = hn::IfThenElse(hn::FirstN(d, 1), from_before, rotated);
+    from_before = rotated;
+#endif
+    return shifted;
+}
+
+/// The last one of those that Shifted leaves for the next vector.
+template <class Real>
+HWY_INLINE Real HandedOnBy(V<Real> from_before) {
+#if HWY_TARGET <= HWY_AVX3
+    return hn::ExtractLane(from_before, vector_lanes<Real> - 1);
+#else
+    return hn::GetLane(from_before);
+#endif
+}
+
+/// What each side's upper corners hand on to the next vector.
+template <class Real>
+struct HandedOn {
+    V3<Real> side[Lattice::sides];
+};
+
+/// How far the sweep of a row is.
+template <class Real>
+struct RowRun {
+    Real* side[Lattice::sides];  ///< where the lower corners of the row's first entity are in the base plane
+    std::size_t stride;          ///< from a quantity in the base plane to the next
+    HandedOn<Real> before;
+    bool has_before[Lattice::sides];  ///< false: nothing was handed on, and `before` is zero
+};
+
+template <class Real>
+HWY_INLINE RowRun<Real> BeginRun(const SweepView<Real>& v, const RowView& row) {
+    RowRun<Real> run{{}, v.base_stride, {{Zero3<Real>(), Zero3<Real>(), Zero3<Real>(), Zero3<Real>()}}, {}};
+    for (std::size_t side = 0; side < Lattice::sides; ++side) {
+        run.side[side] = v.base + row.vertex[side];
+    }
+    return run;
+}
+
+/// A component of the forces on the lower and the upper corners of the entities from the place `at` on, and what those before them
+/// handed on, to a side in the base plane.
+template <std::size_t kSide, std::size_t kAxis, class Real>
+CRACKSIM_INLINE void AddComponentToSide(V<Real> lower, V<Real> upper, RowRun<Real>& run, std::size_t at) {
+    const D<Real> d;
+    Real* force = run.side[kSide] + (Quantity::force + kAxis) * run.stride + at;
+    const V<Real> sum = hn::Add(hn::LoadU(d, force), Shifted<Real>(upper, Part<kAxis>(run.before.side[kSide])));
+    hn::StoreU(hn::Add(sum, lower), d, force);
+}
+
+template <std::size_t kSide, class Real>
+CRACKSIM_INLINE void AddSide(const Forces<Real>& forces, RowRun<Real>& run, std::size_t at) {
+    const V3<Real>& lower = forces.f[Lattice::corners_of_side[kSide][0]];
+    const V3<Real>& upper = forces.f[Lattice::corners_of_side[kSide][1]];
+    AddComponentToSide<kSide, 0>(lower.x, upper.x, run, at);
+    AddComponentToSide<kSide, 1>(lower.y, upper.y, run, at);
+    AddComponentToSide<kSide, 2>(lower.z, upper.z, run, at);
+    run.has_before[kSide] = true;
+}
+
+template <class Real>
+CRACKSIM_INLINE void AddSides(const Forces<Real>& forces, RowRun<Real>& run, std::size_t at) {
+    AddSide<0>(forces, run, at);
+    AddSide<1>(forces, run, at);
+    AddSide<2>(forces, run, at);
+    AddSide<3>(forces, run, at);
+}
+
+/// What was handed on goes to the vertices at the place `at`.
+template <std::size_t kSide, class Real>
+HWY_INLINE void Deliver(RowRun<Real>& run, std::size_t at) {
+    if (!run.has_before[kSide]) {
+        return;
+    }
+    Real* force = run.side[kSide] + Quantity::force * run.stride + at;
+    V3<Real>& before = run.before.side[kSide];
+    force[0] += HandedOnBy<Real>(before.x);
+    force[run.stride] += HandedOnBy<Real>(before.y);
+    force[2 * run.stride] += HandedOnBy<Real>(before.z);
+    before = Zero3<Real>();
+    run.has_before[kSide] = false;
+}
+
+template <class Real>
+HWY_INLINE void Deliver(RowRun<Real>& run, std::size_t at) {
+    Deliver<0>(run, at);
+    Deliver<1>(run, at);
+    Deliver<2>(run, at);
+    Deliver<3>(run, at);
+}
+
+}  // namespace cracksim::physics::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,115 @@
+// Vectors of neighbours in a row, once for each SIMD target: no include guard, but Highway's.
+#if defined(CRACKSIM_PHYSICS_VECTORS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef CRACKSIM_PHYSICS_VECTORS_INL_HPP
+#undef CRACKSIM_PHYSICS_VECTORS_INL_HPP
+#else
+#define CRACKSIM_PHYSICS_VECTORS_INL_HPP
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+
+#include "physics/problem/lattice.hpp"
+#include "physics/lattice/bfloat16.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace cracksim::physics::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+/// Real: double, or float for single precision.
+template <class Real>
+using D = hn::CappedTag<Real, Lattice::lanes>;
+template <class Real>
+using V = hn::Vec<D<Real>>;
+
+template <class Real>
+constexpr std::size_t vector_lanes = hn::MaxLanes(D<Real>{});
+
+// A vector takes half a batch, all of it, or less than half: what is known of the halves that it meets.
+template <class Real>
+constexpr bool is_whole_batch = vector_lanes<Real> == Lattice::lanes;
+template <class Real>
+constexpr bool is_known = vector_lanes<Real> <= Lattice::half || is_whole_batch<Real>;
+static_assert(is_known<double> && is_known<float>);
+
+template <class Real>
+struct V3 {
+    V<Real> x, y, z;
+};
+
+template <std::size_t kAxis, class Vector>
+HWY_INLINE auto& Part(Vector& v) {
+    if constexpr (kAxis == 0) {
+        return v.x;
+    } else if constexpr (kAxis == 1) {
+        return v.y;
+    } else {
+        return v.z;
+    }
+}
+
+/// The same in all lanes.
+template <class Real>
+HWY_INLINE V<Real> Same(double value) {
+    const D<Real> d;
+    return hn::Set(d, static_cast<Real>(value));
+}
+/// Small whole numbers, one a byte.
+template <class Real>
+HWY_INLINE V<Real> FromBytes(const std::uint8_t* from) {
+    const D<Real> d;
+    const hn::Rebind<std::int32_t, D<Real>> d32;
+    const auto whole = hn::PromoteTo(d32, hn::LoadU(hn::Rebind<std::uint8_t, D<Real>>{}, from));
+    if constexpr (sizeof(Real) > sizeof(float)) {
+        return hn::PromoteTo(d, whole);
+    } else {
+        return hn::ConvertTo(d, whole);
+    }
+}
+/// The upper halves of numbers in single precision, with nothing below.
+template <class Real>
+HWY_INLINE V<Real> FromUpperHalves(const UpperHalf* upper) {
+    static_assert(sizeof(UpperHalf) == sizeof(std::uint16_t));
+    const auto* from = reinterpret_cast<const std::uint16_t*>(upper);
+    const D<Real> d;
+    const hn::Rebind<std::uint32_t, D<Real>> d32;
+    const auto whole = hn::ShiftLeft<16>(hn::PromoteTo(d32, hn::LoadU(hn::Rebind<std::uint16_t, D<Real>>{}, from)));
+    const auto single = hn::BitCast(hn::Rebind<float, D<Real>>{}, whole);
+    if constexpr (sizeof(Real) > sizeof(float)) {
+        return hn::PromoteTo(d, single);
+    } else {
+        return single;
+    }
+}
+template <class Real>
+HWY_INLINE V3<Real> Zero3() {
+    const D<Real> d;
+    return {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+}
+template <class Real>
+HWY_INLINE V3<Real> Load3(const Real* from, std::size_t stride) {
+    const D<Real> d;
+    return {hn::LoadU(d, from), hn::LoadU(d, from + stride), hn::LoadU(d, from + 2 * stride)};
+}
+template <class Real>
+HWY_INLINE void Store3(const V3<Real>& v, Real* to, std::size_t stride) {
+    const D<Real> d;
+    hn::StoreU(v.x, d, to);
+    hn::StoreU(v.y, d, to + stride);
+    hn::StoreU(v.z, d, to + 2 * stride);
+}
+
+template <class Real>
+HWY_INLINE unsigned Bits(hn::Mask<D<Real>> mask) {
+    const D<Real> d;
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, mask, bits);
+    return bits[0];
+}
+
+}  // namespace cracksim::physics::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

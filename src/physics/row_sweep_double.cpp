@@ -1,7 +1,0 @@
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "physics/row_sweep_double.cpp"
-#include <hwy/foreach_target.h>
-
-#undef CRACKSIM_REAL
-#define CRACKSIM_REAL double
-#include "physics/row_sweep-inl.hpp"

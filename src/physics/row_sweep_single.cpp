@@ -1,7 +1,0 @@
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "physics/row_sweep_single.cpp"
-#include <hwy/foreach_target.h>
-
-#undef CRACKSIM_REAL
-#define CRACKSIM_REAL float
-#include "physics/row_sweep-inl.hpp"

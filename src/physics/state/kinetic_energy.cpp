@@ -1,0 +1,44 @@
+#include "physics/state/kinetic_energy.hpp"
+
+namespace cracksim::physics {
+
+namespace {
+
+/// dt v(n).
+Vec3 centred_increment(const State& state, Slot s) {
+    const Vec3 half_kick = 0.5 * state.mobility(s) * state.force(s);
+    Vec3 increment = state.increment(s);
+    const auto held = state.held.empty() ? state.held_of_slot.end() : state.held_of_slot.find(s);
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool is_held =
+            held != state.held_of_slot.end() && state.held[held->second].support[static_cast<std::size_t>(axis)] >= 0;
+        increment[axis] += is_held ? 0.0 : half_kick[axis];
+    }
+    return increment;
+}
+
+/// Not the same as receiving nothing: a rank may touch all the vertices of another's entity.
+bool owns_all(const Network& network) {
+    for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
+        if (!network.owned(e)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+double kinetic_energy(const Network& network, const State& state) {
+    double energy = 0;
+    const bool alone = owns_all(network);
+    state.unions.for_each_advanced_slot([&](Slot s) {
+        if (alone || network.owned(entity_of(state.unions.smallest_of_advanced(s)))) {
+            const Vec3 increment = centred_increment(state, s);
+            energy += 0.5 * dot(increment, increment) / state.mobility(s);
+        }
+    });
+    return energy;
+}
+
+}  // namespace cracksim::physics

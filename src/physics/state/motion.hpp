@@ -1,0 +1,200 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/contracts.hpp"
+#include "core/vec3.hpp"
+#include "physics/problem/lattice.hpp"
+
+namespace cracksim::physics {
+
+/// Stands for a Mass-union: 8 * vertex + plane. The planes of a vertex are for the parts that its masses fell into.
+using Slot = Id<struct SlotTag, std::int32_t>;
+
+constexpr int planes = 8;
+/// Holds the part with the vertex's smallest mass, and so every whole union but lone masses.
+constexpr int base_plane = 6;
+[[nodiscard]] constexpr Slot slot_of(VertexSite v, int plane) { return Slot{v.value() * planes + plane}; }
+[[nodiscard]] constexpr VertexSite vertex_of(Slot s) { return VertexSite{s.value() / planes}; }
+[[nodiscard]] constexpr int plane_of(Slot s) { return s.value() % planes; }
+
+/// What the motion and its forces are kept and computed in, by IEEE 754's names. Thresholds, positions and energies are in double.
+enum class Precision { binary64, binary32 };
+
+/// What a slot holds, as the first of its components: u (m), w (m), the force on the union (N), dt^2/M (s^2/kg), and with ab2
+/// what damping takes for w (m).
+struct Quantity {
+    static constexpr std::size_t displacement = 0;
+    static constexpr std::size_t increment = 3;
+    static constexpr std::size_t force = 6;
+    static constexpr std::size_t mobility = 9;
+    static constexpr std::size_t extrapolated = 10;
+};
+
+/// Whole cache lines, for aligned vectors.
+template <class T>
+struct LineAllocator {
+    using value_type = T;
+    static constexpr std::align_val_t line{64};
+
+    LineAllocator() = default;
+    template <class U>
+    explicit LineAllocator(const LineAllocator<U>&) {}
+
+    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), line)); }
+    void deallocate(T* p, std::size_t) { ::operator delete(p, line); }
+    friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
+};
+
+/// Place of a union's numbers in the pool.
+using PoolPlace = Id<struct PoolPlaceTag, std::int32_t>;
+
+/// What the pool holds of a union, one after the other: u and dt^2/M, then w, the force, and with ab2 what damping takes for w, each
+/// with a zero.
+struct Pooled {
+    static constexpr std::size_t together = 4;
+    static constexpr std::size_t mobility = 3;
+
+    /// Of a quantity's first component; the others follow.
+    [[nodiscard]] static constexpr std::size_t at(std::size_t quantity) {
+        return quantity == Quantity::mobility ? mobility : (quantity + 1) / 3 * together;
+    }
+};
+static_assert(Pooled::at(Quantity::displacement) == 0 && Pooled::at(Quantity::increment) == 4 &&
+              Pooled::at(Quantity::force) == 8 && Pooled::at(Quantity::extrapolated) == 12);
+
+/// The numbers of a motion: the base plane, component after component, and the pool, union after union.
+template <class Real>
+class MotionNumbers {
+public:
+    explicit MotionNumbers(std::size_t base_size) : base_(base_size, Real{0}) {}
+
+    [[nodiscard]] Real* base() { return base_.data(); }
+    [[nodiscard]] const Real* base() const { return base_.data(); }
+    [[nodiscard]] Real* pool() { return pool_.data(); }
+    [[nodiscard]] const Real* pool() const { return pool_.data(); }
+    [[nodiscard]] std::size_t pool_size() const { return pool_.size(); }
+    /// Zeros for one more union.
+    void extend_pool(std::size_t numbers_of_union);
+    /// What was at the place order[i] is at the place i.
+    void reorder_pool(std::size_t numbers_of_union, std::span<const PoolPlace> order);
+    [[nodiscard]] std::size_t memory_bytes() const { return (base_.capacity() + pool_.capacity()) * sizeof(Real); }
+
+private:
+    std::vector<Real, LineAllocator<Real>> base_;
+    std::vector<Real, LineAllocator<Real>> pool_;
+};
+
+/// The motion of all unions of this rank. The base plane has a place for each vertex, component after component. Unions of the other
+/// planes, which came of unions that fell apart, have theirs in the pool: in the order in which the sweep meets them, but for the last ones.
+class Motion {
+public:
+    Motion(const Lattice& lattice, bool extrapolates, Precision precision);
+
+    [[nodiscard]] Precision precision() const {
+        return std::holds_alternative<MotionNumbers<float>>(numbers_) ? Precision::binary32 : Precision::binary64;
+    }
+    /// A number as the motion keeps it.
+    [[nodiscard]] double rounded(double value) const {
+        if (precision() == Precision::binary64) {
+            return value;
+        }
+        // GCC 12 leaves two conversions in a row out where it makes a vector of several numbers; not over memory.
+        const volatile auto single = static_cast<float>(value);
+        return single;
+    }
+    [[nodiscard]] Vec3 rounded(Vec3 value) const { return {rounded(value.x), rounded(value.y), rounded(value.z)}; }
+
+    /// Makes sure that a slot has memory; what is new is zero. May move the pool.
+    void open(Slot s);
+    [[nodiscard]] Vec3 get(Slot s, std::size_t quantity) const {
+        const auto values = [&](const auto& numbers) {
+            const auto p = place(numbers, s, quantity);
+            return Vec3{*p.first, p.first[p.stride], p.first[2 * p.stride]};
+        };
+        return std::visit(values, numbers_);
+    }
+    void set(Slot s, std::size_t quantity, Vec3 value);
+    [[nodiscard]] double mobility(Slot s) const {
+        return std::visit([&](const auto& numbers) -> double { return *place(numbers, s, Quantity::mobility).first; },
+                          numbers_);
+    }
+    void set_mobility(Slot s, double value);
+    /// All components of a slot to another one, which has memory.
+    void copy(Slot from, Slot to);
+    /// All components of a slot to zero.
+    void clear(Slot s);
+    /// The forces of all slots to zero.
+    void clear_forces();
+
+    /// The numbers; of the motion's own precision.
+    template <class Real>
+    [[nodiscard]] MotionNumbers<Real>& in() {
+        return std::get<MotionNumbers<Real>>(numbers_);
+    }
+    [[nodiscard]] std::size_t base_stride() const { return base_stride_; }
+    /// From one union to the next in the pool.
+    [[nodiscard]] std::size_t pool_stride() const { return pool_stride_; }
+    /// None for what is in the base plane or has no memory.
+    [[nodiscard]] PoolPlace pool_place(Slot s) const {
+        const std::int32_t index = pooled_at_[vertex_of(s).index()];
+        return index < 0 ? PoolPlace{}
+                         : places_[static_cast<std::size_t>(index)][static_cast<std::size_t>(plane_of(s))];
+    }
+    /// Of the unions in the pool that are at a row of vertices, in planes of corners on a side, the first; none: the default id.
+    [[nodiscard]] PoolPlace first_pooled(std::size_t row, std::size_t side) const { return first_pooled_[row][side]; }
+    /// [place in the pool]: the next one of the same row and side, or none.
+    [[nodiscard]] const PoolPlace* next_pooled() const { return next_pooled_.data(); }
+    /// So many unions came to the pool since it was in order that the sweep would miss the caches.
+    [[nodiscard]] bool is_disordered() const;
+    /// Puts the pool in order: what a row of cells meets first together. Changes all places there.
+    void order_pool(const Lattice& lattice);
+
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+private:
+    /// A quantity's first component, and how far it is to the next.
+    template <class T>
+    struct Components {
+        T* first;
+        std::size_t stride;
+    };
+    template <class Numbers>
+    using ComponentsIn = Components<std::remove_pointer_t<decltype(std::declval<Numbers&>().base())>>;
+    using PlacesOfVertex = std::array<PoolPlace, planes>;
+
+    template <class Numbers>
+    [[nodiscard]] ComponentsIn<Numbers> place(Numbers& numbers, Slot s, std::size_t quantity) const {
+        if (plane_of(s) == base_plane) {
+            return {numbers.base() + quantity * base_stride_ + vertex_of(s).index(), base_stride_};
+        }
+        const PoolPlace pooled = pool_place(s);
+        CRACKSIM_EXPECT(pooled != PoolPlace{});
+        return {numbers.pool() + pooled.index() * pool_stride_ + Pooled::at(quantity), 1};
+    }
+
+    void order_by_vertex();
+    /// Gives the unions of a row of vertices and a side the next places in a new order, of old ones.
+    void append_pooled(const Lattice& lattice, std::size_t row, std::size_t side, std::vector<PoolPlace>& order);
+
+    bool extrapolates_;
+    std::size_t base_stride_;
+    std::size_t pool_stride_;
+    std::variant<MotionNumbers<double>, MotionNumbers<float>> numbers_;
+    std::vector<std::int32_t> row_of_group_;  ///< by group of as many vertices as there are lanes
+    std::vector<std::int32_t> pooled_at_;     ///< by vertex: index into places_, -1 if the pool has none of its unions
+    std::vector<PlacesOfVertex> places_;      ///< by plane
+    std::vector<std::array<PoolPlace, Lattice::sides>> first_pooled_;  ///< by row of vertices and side
+    std::vector<PoolPlace> next_pooled_;
+    std::size_t disordered_{0};
+};
+
+}  // namespace cracksim::physics

@@ -1,0 +1,154 @@
+#include "scene/body_and_material.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "io/text_file.hpp"
+#include "scene/calibration.hpp"
+#include "scene/readers.hpp"
+
+namespace cracksim::scene {
+
+namespace {
+
+using io::InputNode;
+
+Vec3 read_edge(const InputNode& node) {
+    Vec3 edge;
+    if (node.is_list()) {
+        edge = vector(node);
+    } else {
+        edge.x = edge.y = edge.z = positive(node, "m");
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(edge[axis] >= 1e-60 && edge[axis] <= 1e60)) {
+            node.fail("every edge must be above 0 m and within 1e-60 to 1e60 m, not " + io::exact(edge[axis]));
+        }
+    }
+    return edge;
+}
+
+std::array<std::int64_t, 3> read_cells(const InputNode& node) {
+    constexpr std::int64_t most = 2'000'000'000;
+    std::array<std::int64_t, 3> cells{};
+    std::int64_t entities = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        cells[axis] = node.list(3)[axis].integer(1, most);
+        if (cells[axis] > most / entities) {
+            node.fail("makes more than " + std::to_string(most) +
+                      " entities, the most that a block may have; use fewer cells");
+        }
+        entities *= cells[axis];
+    }
+    return cells;
+}
+
+void check_resolution(const InputNode& node, const Block& block) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double upper = block.origin()[axis] +
+                             static_cast<double>(block.cells()[static_cast<std::size_t>(axis)]) * block.edge()[axis];
+        const double farthest = std::max(std::abs(block.origin()[axis]), std::abs(upper));
+        if (!(block.edge()[axis] > 1e-12 * farthest)) {
+            node.fail("lies so far from 0 along " + std::string{"xyz"[axis]} + " (" + io::exact(farthest) +
+                      " m) that positions one edge apart are hardly told apart; move block.origin closer to 0");
+        }
+    }
+}
+
+Material read_material(const InputNode& node, const Block& block) {
+    const Vec3 edge = block.edge();
+    node.expect_keys(keys_of("material"));
+    if (edge.x != edge.y || edge.y != edge.z) {
+        node.fail(
+            "needs cubes, but block.edge is " + io::exact(edge.x) + " x " + io::exact(edge.y) + " x " +
+            io::exact(edge.z) +
+            " m: no 16 interactions make other boxes isotropic; use equal edges, or `network` in place of `material`");
+    }
+    if (const MaybeNode poisson = node.find("poisson"); poisson && poisson->number() != 0.25) {
+        poisson->fail("must be 0.25, not " + poisson->shown() +
+                      ": the network of interactions is isotropic only there");
+    }
+    const MaybeNode damping = node.find("damping");
+    const MaybeNode energy = node.find("fracture_energy");
+    return {positive(node.at("young"), "Pa"), positive(node.at("density"), "kg/m3"),
+            damping ? not_negative(*damping, "a/c0") : 0.2,
+            energy ? std::optional{positive(*energy, "J/m2")} : std::nullopt};
+}
+
+double read_viscosity(const InputNode& interaction) {
+    const MaybeNode viscosity = interaction.find("viscosity");
+    return viscosity ? not_negative(*viscosity, "N s/m") : 0.0;
+}
+
+Network read_network(const InputNode& node) {
+    node.expect_keys(keys_of("network"));
+    const InputNode edge = node.at("edge");
+    const InputNode diagonal = node.at("diagonal");
+    edge.expect_keys(keys_of("network.edge"));
+    diagonal.expect_keys(keys_of("network.diagonal"));
+    return {positive(node.at("mass"), "kg"),
+            {positive(edge.at("stiffness"), "N/m"), read_viscosity(edge)},
+            {not_negative(diagonal.at("stiffness"), "N/m"), read_viscosity(diagonal)}};
+}
+
+/// Throws for values that only a mistaken unit can make, before they overflow somewhere.
+void check_range(const InputNode& node, const Network& network) {
+    struct Quantity {
+        const char* name;
+        const char* unit;
+        double value;
+        bool may_vanish;
+    };
+    const std::array<Quantity, 5> quantities{{{"a mass", "kg", network.mass, false},
+                                              {"an edge stiffness", "N/m", network.edge.stiffness, false},
+                                              {"a diagonal stiffness", "N/m", network.diagonal.stiffness, true},
+                                              {"an edge viscosity", "N s/m", network.edge.viscosity, true},
+                                              {"a diagonal viscosity", "N s/m", network.diagonal.viscosity, true}}};
+    for (const auto& [name, unit, value, may_vanish] : quantities) {
+        if (!(value >= 1e-60 && value <= 1e60) && !(may_vanish && value == 0)) {
+            node.fail("makes " + std::string{name} + " of " + rounded(value, 3) + " " + unit +
+                      ", outside of 1e-60 to 1e60; check the units (SI) here and of block.edge");
+        }
+    }
+}
+
+}  // namespace
+
+Block read_block(const InputNode& node) {
+    constexpr std::array<std::string_view, 1> entities{"hexahedron"};
+    constexpr std::array<std::string_view, 3> later{"tetrahedron", "quadrilateral", "triangle"};
+    node.expect_keys(keys_of("block"));
+    if (const MaybeNode entity = node.find("entity")) {
+        static_cast<void>(available_word(*entity, entities, later));
+    }
+    const auto cells = read_cells(node.at("cells"));
+    const Vec3 edge = read_edge(node.at("edge"));
+    const MaybeNode origin = node.find("origin");
+    const Block block{cells, edge, origin ? vector(*origin) : Vec3{}};
+    check_resolution(node, block);
+    return block;
+}
+
+Matter read_matter(const InputNode& root, const Block& block) {
+    const MaybeNode material_node = root.find("material");
+    const MaybeNode network_node = root.find("network");
+    if (material_node && network_node) {
+        network_node->fail("material and network exclude each other; remove one of the two");
+    }
+    if (!material_node && !network_node) {
+        root.fail("neither material nor network is given; add `material: {young: ..., density: ...}`");
+    }
+    std::optional<Material> material;
+    if (material_node) {
+        material = read_material(*material_node, block);
+    }
+    const Network network = material ? calibrated_network(*material, block.edge().x) : read_network(*network_node);
+    check_range(material_node ? *material_node : *network_node, network);
+    return {material, network};
+}
+
+}  // namespace cracksim::scene

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/contracts.hpp"
+
+namespace cracksim::scene {
+
+/// A map of the input and the keys that it may have. In a path, * is any item of a list; the path of the root is empty.
+struct Section {
+    std::string_view path;
+    std::vector<std::string_view> keys;
+};
+
+/// Every key of a scene, in the order of its resolved form.
+[[nodiscard]] inline const std::vector<Section>& sections() {
+    static const std::vector<Section> all{
+        {"",
+         {"title", "block", "material", "network", "duplets", "sensors", "initial", "supports", "time", "coat",
+          "output", "history", "partition"}},
+        {"block", {"entity", "cells", "edge", "origin"}},
+        {"material", {"young", "density", "poisson", "damping", "fracture_energy"}},
+        {"network", {"mass", "edge", "diagonal"}},
+        {"network.edge", {"stiffness", "viscosity"}},
+        {"network.diagonal", {"stiffness", "viscosity"}},
+        {"sensors", {"kind", "threshold", "weibull", "prefilter"}},
+        {"sensors.weibull", {"shape", "seed"}},
+        {"initial", {"displacement", "velocity"}},
+        {"supports.*", {"name", "where", "velocity"}},
+        {"supports.*.where", {"box"}},
+        {"time", {"end", "step", "scheme", "precision", "allow_unstable"}},
+        {"coat", {"rate"}},
+        {"output", {"rate", "surface", "crack", "masses", "topology"}},
+        {"history", {"rate"}},
+        {"partition", {"kind"}},
+    };
+    return all;
+}
+
+/// The keys of a section, which must exist.
+[[nodiscard]] inline std::span<const std::string_view> keys_of(std::string_view path) {
+    const auto found = std::ranges::find(sections(), path, &Section::path);
+    CRACKSIM_EXPECT(found != sections().end());
+    return found->keys;
+}
+
+}  // namespace cracksim::scene

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/block.hpp"
+#include "core/vec3.hpp"
+#include "io/expression.hpp"
+#include "physics/state/motion.hpp"
+#include "physics/problem/network.hpp"
+#include "physics/problem/stability.hpp"
+#include "physics/problem/thresholds.hpp"
+
+namespace cracksim::scene {
+
+/// Engineering parameters of an isotropic block of cubes; Poisson's ratio is 1/4.
+struct Material {
+    double young;    ///< Pa
+    double density;  ///< kg/m3
+    double damping;  ///< viscosity / stiffness of every interaction, in units of edge / sqrt(young/density)
+    std::optional<double> fracture_energy;  ///< J/m2
+};
+
+struct Interaction {
+    double stiffness;  ///< N/m
+    double viscosity;  ///< N s/m
+};
+
+/// What every entity is made of.
+struct Network {
+    double mass;  ///< kg at each corner
+    Interaction edge;
+    Interaction diagonal;
+};
+
+enum class SensorKind { normal };
+enum class PartitionKind { metis, slab, random };
+
+struct Sensors {
+    SensorKind kind;
+    io::Expression threshold;   ///< stretch, of the rest position
+    bool from_fracture_energy;  ///< the threshold follows from Material::fracture_energy
+    std::optional<physics::Weibull> weibull;
+    bool prefilter;  ///< look only where an edge is stretched enough; never changes what triggers
+};
+
+struct Initial {
+    std::array<io::Expression, 3> displacement;  ///< m, of the rest position
+    std::array<io::Expression, 3> velocity;      ///< m/s, of the rest position
+};
+
+/// Holds the masses whose rest position is in the box (its boundary included) at a velocity.
+struct Support {
+    std::string name;
+    std::array<Vec3, 2> box;  ///< lower and upper corner, m
+    std::array<std::optional<io::Expression>, 3>
+        velocity;  ///< m/s, of rest position and time; an empty component is free
+};
+
+struct Time {
+    double end;                  ///< s
+    std::optional<double> step;  ///< s; empty: from the certified bound
+    physics::Scheme scheme;
+    physics::Precision precision;
+    bool allow_unstable;
+};
+
+struct Output {
+    double rate;  ///< Hz; 0: never
+    bool surface;
+    bool crack;
+    bool masses;
+    bool topology;
+};
+
+/// Where the input says what may turn out wrong only when the block is built: the beginnings of messages about it.
+struct Places {
+    std::string cells;
+    std::string threshold;
+    std::string initial;
+    std::string supports;
+    std::string step;
+    std::string end;
+    std::string precision;
+};
+
+/// What an input means, in SI, with all defaults filled in. Made by read_scene and not changed afterwards.
+struct Scene {
+    std::string title;
+    Block block;
+    std::optional<Material> material;  ///< where `network` comes from, if the input gives a material
+    Network network;
+    physics::Duplets duplets;
+    Sensors sensors;
+    Initial initial;
+    std::vector<Support> supports;
+    Time time;
+    double coat_rate;  ///< Hz of topology and geometry
+    Output output;
+    double history_rate;  ///< Hz; 0: never
+    PartitionKind partition;
+    Places places;
+    std::vector<std::string> warnings;  ///< for the user: what is allowed but probably not wanted
+};
+
+}  // namespace cracksim::scene

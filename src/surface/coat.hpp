@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/block.hpp"
+#include "core/id_array.hpp"
+#include "geometry/measures.hpp"
+#include "geometry/shared_unions.hpp"
+#include "partition/communicator.hpp"
+#include "partition/decomposition.hpp"
+#include "partition/halo.hpp"
+#include "physics/events.hpp"
+#include "surface/global_components.hpp"
+#include "surface/local_surface.hpp"
+#include "topology/changes.hpp"
+#include "topology/gmap.hpp"
+#include "topology/connectivity/replacement_edge_search.hpp"
+
+namespace cracksim::surface {
+
+/// The topology of the block on all ranks: this rank's map, and what needs the neighbours' knowledge: sewn masks of halo
+/// entities, components and fragments. After the start its cost follows the splits, not the block.
+class Coat {
+public:
+    /// unions: the starting unions. Collective. comm and decomposition must outlive this.
+    Coat(const partition::Communicator& comm, const Block& block, const partition::Decomposition& decomposition,
+         geometry::SharedUnions unions);
+    Coat(const Coat&) = delete;
+    Coat& operator=(const Coat&) = delete;
+
+    /// Modification: unsews what the splits demand and brings masks, components and fragments up to date. Collective.
+    void modify(const physics::SplitStream& splits);
+
+    [[nodiscard]] const topology::GMap& map() const { return map_; }
+    /// Label of an owned entity: the smallest entity of its component, or fragment.
+    [[nodiscard]] EntityId component(LocalEntity owned) const { return components_.label(owned); }
+    [[nodiscard]] EntityId fragment(LocalEntity owned) const { return fragments_.label(owned); }
+    /// Time of the split that opened a face of an owned entity, s; -1 if it is sewn or on the original boundary.
+    [[nodiscard]] double opened_at(LocalEntity e, int face) const { return surface_.opened_at(e, face); }
+    [[nodiscard]] const LocalSurface& surface() const { return surface_; }
+    /// Of the labels of fragments: changes whenever one of them does.
+    [[nodiscard]] std::int64_t fragments_version() const { return fragments_version_; }
+
+    /// Numbers over all ranks after the last modification.
+    [[nodiscard]] std::int64_t component_count() const { return components_.count(); }
+    [[nodiscard]] std::int64_t fragment_count() const { return fragments_.count(); }
+    /// Rest area of the opened interfaces, each once, m2.
+    [[nodiscard]] double crack_area() const;
+    /// The largest fragments over all ranks, largest first, on the root; ties by id. Collective.
+    [[nodiscard]] std::vector<geometry::LabelSize> largest_fragments(std::size_t count) const;
+
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+private:
+    void count_opened(const topology::Changes& changes);
+    /// The corners of the faces that are open now between halo entities, as their owners tell.
+    [[nodiscard]] std::vector<LocalMass> share_masks(const topology::Changes& changes);
+    void update_surface(const topology::Changes& changes, std::vector<LocalMass> corners);
+    [[nodiscard]] bool cut_components(const topology::Changes& changes);
+    [[nodiscard]] bool cut_fragments(const physics::SplitStream& splits);
+
+    const partition::Communicator* comm_;
+    const partition::Decomposition* decomposition_;
+    Block block_;
+    partition::Halo halo_;
+    topology::GMap map_;
+    geometry::SharedUnions unions_;
+    topology::PartingSearch search_;
+    Labels components_;
+    Labels fragments_;
+    LocalSurface surface_;
+    std::int64_t fragments_version_{0};
+    std::array<std::int64_t, 3> opened_{};  ///< interfaces normal to each axis, over all ranks
+};
+
+}  // namespace cracksim::surface

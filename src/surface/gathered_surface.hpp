@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/block.hpp"
+#include "core/ids.hpp"
+#include "geometry/mesh.hpp"
+#include "surface/surface_update.hpp"
+
+namespace cracksim::surface {
+
+/// The surface of the block as the root puts it together from what the ranks tell: the same meshes as surface_mesh() gives,
+/// kept from frame to frame. Its order, by keys, does not depend on the ranks. No communication.
+class WholeSurface {
+public:
+    WholeSurface(const Block& block, std::size_t ranks);
+
+    /// The news of all ranks, for the next frame.
+    void take(std::span<const SurfaceNews> news);
+
+    [[nodiscard]] const geometry::Mesh& surface() const { return surface_; }
+    /// The crack faces of surface(), and the points that they use.
+    [[nodiscard]] const geometry::Mesh& crack();
+
+private:
+    using Places = std::vector<std::int32_t>;
+    /// A rank's points and faces in its own order: where they stand here.
+    struct Order {
+        Places point;
+        Places face;
+    };
+
+    void add_points(std::span<const SurfaceNews> news);
+    void add_faces(std::span<const SurfaceNews> news);
+    void make_room(const Places& moved);
+    void set_face(const SurfaceNews::Face& face);
+    void set_met(const SurfaceNews::Face& face);
+    void find_crack();
+    void number_crack_points();
+    void move(std::span<const SurfaceNews> news);
+    void name_fragments(std::span<const SurfaceNews> news);
+    void measure_openings();
+    void measure_interface(std::int32_t face, std::int32_t other);
+    [[nodiscard]] std::size_t place_of(std::int64_t face_key) const;
+    [[nodiscard]] std::vector<double>& reals(std::size_t field);
+    [[nodiscard]] std::vector<std::int64_t>& integers(std::size_t field);
+
+    Block block_;
+    std::vector<Order> orders_;
+    std::vector<MassId> point_keys_;
+    std::vector<std::int64_t> face_keys_;
+    geometry::Mesh surface_;
+    bool crack_is_old_{true};
+    Places crack_faces_;
+    Places crack_points_;
+    Places met_;  ///< by face: the other side of a crack face; -1 on the original boundary
+    geometry::Mesh crack_;
+};
+
+}  // namespace cracksim::surface

@@ -1,0 +1,182 @@
+#include "physics/fracture/sensors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "physics/lattice/force_sweep.hpp"
+#include "physics/fracture/split.hpp"
+#include "support/precisions.hpp"
+#include "support/random_state.hpp"
+#include "support/serial_network.hpp"
+
+namespace cracksim::physics {
+namespace {
+
+TEST(Prefilter, FindsWhatAllSensorsFindInRandomStates) {
+    std::size_t found = 0;
+    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+        test::SerialBlock block;
+        block.cells = {5, 4, 3};
+        block.edge = seed % 2 == 0 ? Vec3{1, 1, 1} : Vec3{1, 0.8, 1.7};
+        block.thresholds.weibull = Weibull{3, seed};
+        const double size = std::pow(10.0, -1.0 - static_cast<double>(seed % 12));
+        block.thresholds.field = [size](Vec3) { return 1.2 * size; };
+        const Network network = block.network();
+        State state{network, Scheme::cordis, 0.3, seed % 3 == 0 ? Precision::binary32 : Precision::binary64};
+        test::shake(state, size, seed);
+        accumulate_forces(network, state, Measure::nothing);
+        const auto with = Sensors{Prefilter::on}.sense(network, state);
+        EXPECT_EQ(with, Sensors{Prefilter::off}.sense(network, state)) << "seed " << seed;
+        found += with.size();
+    }
+    EXPECT_GT(found, 1000U);
+}
+
+/// A block stretched evenly along x, and moved; its threshold is some ulps beside that stretch.
+void expect_nothing_missed(double stretch, int ulps, Precision precision) {
+    double threshold = stretch;
+    for (int i = 0; i < std::abs(ulps); ++i) {
+        threshold = std::nextafter(threshold, ulps < 0 ? 0.0 : 100.0);
+    }
+    test::SerialBlock block;
+    block.cells = {6, 2, 2};
+    block.edge = {0.7, 1.1, 0.9};
+    block.thresholds.field = [threshold](Vec3) { return threshold; };
+    const Network network = block.network();
+    State state{network, Scheme::cordis, 0.3, precision};
+    std::mt19937_64 random{static_cast<std::uint64_t>(ulps + 3)};
+    std::uniform_real_distribution<double> moved{-3, 3};
+    const Vec3 away{moved(random), moved(random), moved(random)};
+    for (const Slot s : state.unions.advanced()) {
+        const double x = network.rest_position(state.unions.smallest_mass(s)).x;
+        state.set_displacement(s, away + Vec3{stretch * x, 0, 0});
+    }
+    accumulate_forces(network, state, Measure::nothing);
+    EXPECT_EQ(Sensors{Prefilter::on}.sense(network, state), Sensors{Prefilter::off}.sense(network, state))
+        << "stretch " << stretch << ", " << ulps << " ulps";
+}
+
+TEST(Prefilter, MissesNothingAtThresholdsOneUlpAway) {
+    for (const double stretch : {0.0123456789, 0.3, 1.0 / 0.97, 3.3, 10.7, 31.0}) {
+        for (int ulps = -3; ulps <= 3; ++ulps) {
+            expect_nothing_missed(stretch, ulps, Precision::binary64);
+            expect_nothing_missed(stretch, ulps, Precision::binary32);
+        }
+    }
+}
+
+TEST(Prefilter, MissesNothingWhereAnotherEdgeHasVanished) {
+    test::SerialBlock block;
+    block.cells = {2, 1, 1};
+    block.thresholds.field = [](Vec3) { return 0.2; };
+    const Network network = block.network();
+    State state{network, Scheme::cordis, 0.3};
+    const auto at = [&](LocalMass m) -> Vec3 {
+        const Vec3 rest = network.rest_position(m);
+        if (rest.y > 0.5 && rest.z < 0.5 && rest.x < 0.5) {
+            return {-0.9, 0, 0};
+        }
+        return {rest.y < 0.5 && rest.z > 0.5 && rest.x < 0.5 ? 1.0 : 0.0, 0, 0};
+    };
+    for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
+        state.set_displacement(state.unions.slot(m), at(m));
+    }
+    accumulate_forces(network, state, Measure::elastic_energy);
+    EXPECT_TRUE(std::isfinite(state.elastic));
+    EXPECT_EQ(Sensors{Prefilter::on}.sense(network, state).size(), 1U);
+    EXPECT_EQ(Sensors{Prefilter::on}.sense(network, state), Sensors{Prefilter::off}.sense(network, state));
+}
+
+/// Displaces all unions by steps of a random walk, so that some edges stay stretched and others come and go.
+void walk(State& state, double size, std::uint64_t seed) {
+    State step = state;
+    test::shake(step, size, seed);
+    for (const Slot s : state.unions.advanced()) {
+        state.set_displacement(s, state.displacement(s) + step.displacement(s));
+    }
+}
+
+TEST(Prefilter, ForgetsWhatItKeptOfEdgesWhereUnionsSplit) {
+    std::size_t found = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        test::SerialBlock block;
+        // So wide that batches lie inside, where vectors of eight compare with the lowest limit.
+        block.cells = {25, 4, 3};
+        block.thresholds.weibull = Weibull{3, seed};
+        block.thresholds.field = [](Vec3) { return 0.2; };
+        const Network network = block.network();
+        State state{network, Scheme::cordis, 0.3, seed % 2 == 0 ? Precision::binary64 : Precision::binary32};
+        Sensors sensors{Prefilter::on};
+        for (std::uint64_t step = 0; step < 40; ++step) {
+            walk(state, 0.06, 100 * seed + step);
+            accumulate_forces(network, state, Measure::nothing);
+            const auto triggered = sensors.sense(network, state);
+            ASSERT_EQ(triggered, Sensors{Prefilter::off}.sense(network, state)) << "seed " << seed << ", step " << step;
+            SplitStream splits;
+            found += split(network, triggered, state, splits);
+        }
+    }
+    EXPECT_GT(found, 1000U);
+}
+
+TEST(Prefilter, HasAfterEachSplitTheLimitsOfAllEdgesAnew) {
+    test::SerialBlock block;
+    block.cells = {25, 4, 3};
+    block.thresholds.weibull = Weibull{3, 11};
+    block.thresholds.field = [](Vec3) { return 0.2; };
+    const Network network = block.network();
+    State state{network, Scheme::cordis, 0.3};
+    Sensors sensors{Prefilter::on};
+    std::size_t changed = 0;
+    for (std::uint64_t step = 0; step < 40; ++step) {
+        walk(state, 0.06, step);
+        accumulate_forces(network, state, Measure::nothing);
+        const EdgeLimits before = state.sensing.limits;
+        SplitStream splits;
+        split(network, sensors.sense(network, state), state, splits);
+        State anew = state;
+        anew.sensing.limits = EdgeLimits{state.lattice()};
+        for (VertexSite v{0}; v.index() < state.lattice().vertex_sites(); ++v) {
+            for (int axis = 0; axis < 3; ++axis) {
+                set_sensing_limits(network, v, axis, anew);
+            }
+        }
+        ASSERT_TRUE(state.sensing.limits == anew.sensing.limits) << "step " << step;
+        changed += state.sensing.limits != before ? 1U : 0U;
+    }
+    EXPECT_GT(changed, 10U);
+}
+
+TEST(Sensor, TriggersAcrossTheStretchedFaceOnly) {
+    test::SerialBlock block;
+    block.cells = {2, 2, 1};
+    const Network network = block.network();
+    State state{network, Scheme::cordis, 0.3};
+    for (const Slot s : state.unions.advanced()) {
+        state.set_displacement(s, {0.021 * network.rest_position(state.unions.smallest_mass(s)).x, 0, 0});
+    }
+    accumulate_forces(network, state, Measure::nothing);
+    const auto triggered = Sensors{Prefilter::on}.sense(network, state);
+    EXPECT_EQ(triggered.size(), 8U);
+    for (const LocalDuplet d : triggered) {
+        EXPECT_EQ(network.interfaces()[static_cast<std::size_t>(d.value() / 4)].face_a / 2, 0);
+    }
+}
+
+TEST(Sensor, NeverTriggersAtAnInfiniteThreshold) {
+    test::SerialBlock block;
+    block.thresholds.field = [](Vec3) { return std::numeric_limits<double>::infinity(); };
+    const Network network = block.network();
+    State state{network, Scheme::cordis, 0.3};
+    test::shake(state, 5, 3);
+    accumulate_forces(network, state, Measure::nothing);
+    EXPECT_TRUE(Sensors{Prefilter::on}.sense(network, state).empty());
+    EXPECT_TRUE(Sensors{Prefilter::off}.sense(network, state).empty());
+}
+
+}  // namespace
+}  // namespace cracksim::physics

@@ -1,0 +1,179 @@
+#include "physics/lattice/advance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "physics/lattice/force_sweep.hpp"
+#include "physics/fracture/split.hpp"
+#include "support/network_members.hpp"
+#include "support/precisions.hpp"
+#include "support/random_state.hpp"
+#include "support/serial_network.hpp"
+
+namespace cracksim::physics {
+namespace {
+
+TEST(Advance, IsTheSchemeForEveryUnion) {
+    test::SerialBlock block;
+    block.cells = {9, 3, 2};
+    const Network network = block.network();
+    for (const Scheme scheme : {Scheme::cordis, Scheme::ab2}) {
+        for (const Precision precision : test::both_precisions) {
+            State state{network, scheme, 0.3, precision};
+            test::shake(state, 0.1, 8);
+            accumulate_forces(network, state, Measure::nothing);
+            const State before = state;
+            advance(network, state, {}, Measure::nothing);
+            for (const Slot s : state.unions.advanced()) {
+                const Vec3 force = before.force(s);
+                const double mass = before.unions.mass_count(s) * network.model().corner_mass;
+                const Vec3 w = before.increment(s) + (0.09 / mass) * force;
+                EXPECT_LT(norm(state.increment(s) - w), test::allowed(1e-15, precision));
+                EXPECT_EQ(state.displacement(s), state.motion.rounded(before.displacement(s) + state.increment(s)));
+                if (scheme == Scheme::ab2) {
+                    const Vec3 q = 1.5 * state.increment(s) - 0.5 * before.increment(s);
+                    EXPECT_LT(norm(state.velocity_increment(s) - q), test::allowed(1e-16, precision));
+                }
+            }
+            EXPECT_EQ(state.step, 1);
+        }
+    }
+}
+
+TEST(NextIncrements, AreThoseOfTheAdvanceToTheLastBit) {
+    test::SerialBlock block;
+    block.cells = {9, 3, 2};
+    physics::Support pull{"pull", {Vec3{-1, -1, -1}, Vec3{0.5, 9, 9}}, {}};
+    pull.velocity[0] = [](Vec3, double) { return -0.1 / 3; };
+    block.supports = {pull};
+    const Network network = block.network();
+    for (const Precision precision : test::both_precisions) {
+        State state{network, Scheme::cordis, 0.3, precision};
+        test::shake(state, 0.1, 9);
+        accumulate_forces(network, state, Measure::nothing);
+        const ListedUnions all{state.unions, test::all_masses(network)};
+        std::vector<double> next(3 * all.entries().size());
+        find_next_increments(network, state, all.entries(), next);
+        advance(network, state, {}, Measure::nothing);
+        for (std::size_t i = 0; i < all.entries().size(); ++i) {
+            const Vec3 found{next[3 * i], next[3 * i + 1], next[3 * i + 2]};
+            EXPECT_EQ(found, state.increment(all.entries()[i].slot));
+        }
+    }
+}
+
+TEST(Advance, MovesHeldComponentsAsPrescribedAndBooksTheWork) {
+    test::SerialBlock block;
+    block.cells = {1, 1, 1};
+    physics::Support pull{"pull", {Vec3{-1, -1, -1}, Vec3{0.5, 2, 2}}, {}};
+    pull.velocity[0] = [](Vec3, double t) { return -0.1 * t; };
+    block.supports = {pull};
+    const Network network = block.network();
+    State state{network, Scheme::cordis, 0.1};
+    start(network, {[](Vec3) { return Vec3{}; }, [](Vec3) { return Vec3{}; }}, state);
+    accumulate_forces(network, state, Measure::elastic_energy);
+    for (int step = 0; step < 10; ++step) {
+        advance(network, state, {}, Measure::elastic_energy);
+    }
+    const Slot left = state.unions.slot(LocalMass{0});
+    EXPECT_NEAR(state.displacement(left).x, -0.05 * 1.0, 1e-12);
+    EXPECT_GT(state.external, 0);
+}
+
+TEST(Advance, NotesTheFirstUnionThatMakesNoSense) {
+    for (const double broken :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e5}) {
+        test::SerialBlock block;
+        block.cells = {3, 3, 1};
+        const Network network = block.network();
+        State state{network, Scheme::cordis, 0.3};
+        const Slot bad = state.unions.slot(LocalMass{17});
+        state.set_increment(bad, {0, broken, 0});
+        accumulate_forces(network, state, Measure::nothing);
+        for (const Slot s : state.unions.advanced()) {
+            state.set_force(s, {});
+        }
+        advance(network, state, {}, Measure::nothing);
+        ASSERT_TRUE(state.breakdown.has_value());
+        EXPECT_EQ(state.breakdown->step, 1);
+        EXPECT_EQ(state.breakdown->mass, network.mass(state.unions.smallest_mass(bad)));
+        EXPECT_EQ(state.breakdown->finite, std::isfinite(broken));
+    }
+}
+
+/// Two of three duplets inactive.
+State cracked_state(const Network& network, Precision precision) {
+    State state{network, Scheme::ab2, 0.3, precision};
+    std::vector<LocalDuplet> inactive;
+    for (const LocalDuplet d : test::all_duplets(network)) {
+        if (d.value() % 3 != 0) {
+            inactive.push_back(d);
+        }
+    }
+    SplitStream splits;
+    EXPECT_GT(split(network, inactive, state, splits), 50U);
+    return state;
+}
+
+TEST(Advance, MovesAllUnionsOfACrackedBlockWhereOneMakesNoSense) {
+    test::SerialBlock block;
+    block.cells = {9, 3, 2};
+    const Network network = block.network();
+    for (const Precision precision : test::both_precisions) {
+        State state = cracked_state(network, precision);
+        test::shake(state, 0.1, 10);
+        accumulate_forces(network, state, Measure::nothing);
+        const State sound = state;
+        const Slot in_pool = sound.unions.slot(LocalMass{0});
+        const Slot in_base = slot_of(vertex_of(sound.unions.slot(LocalMass{1})), base_plane);
+        ASSERT_NE(plane_of(in_pool), base_plane);
+        for (const Slot bad : {in_pool, in_base}) {
+            State before = sound;
+            before.set_increment(bad, {0, 1e5, 0});
+            State after = before;
+            advance(network, after, {}, Measure::nothing);
+            EXPECT_TRUE(after.breakdown.has_value());
+            for (const Slot s : after.unions.advanced()) {
+                const Vec3 w = before.increment(s) + before.mobility(s) * before.force(s);
+                EXPECT_LT(norm(after.increment(s) - w), test::allowed(1e-15, precision) * (s == bad ? 1e5 : 1));
+                EXPECT_EQ(after.displacement(s), after.motion.rounded(before.displacement(s) + after.increment(s)));
+            }
+        }
+    }
+}
+
+TEST(Start, PutsTheFirstIncrementsWhereTheParabolaWas) {
+    test::SerialBlock block;
+    block.cells = {2, 1, 1};
+    const Network network = block.network();
+    const Initial initial{[](Vec3 at) {
+                              return Vec3{0.05 * at.x, 0.02 * at.y * at.x, 0};
+                          },
+                          [](Vec3 at) {
+                              return Vec3{0.1, 0.2 * at.z, 0};
+                          }};
+    State state{network, Scheme::ab2, 0.1};
+    start(network, initial, state);
+    const State started = state;
+    for (const Slot s : state.unions.advanced()) {
+        const Vec3 rest = network.rest_position(state.unions.smallest_mass(s));
+        state.set_velocity_increment(s, 0.1 * initial.velocity(rest));
+    }
+    accumulate_forces(network, state, Measure::nothing);
+    for (const Slot s : state.unions.advanced()) {
+        const Vec3 rest = network.rest_position(state.unions.smallest_mass(s));
+        const Vec3 v = 0.1 * initial.velocity(rest);
+        const Vec3 a = state.mobility(s) * state.force(s);
+        const Vec3 w0 = v - 0.5 * a;
+        const Vec3 before = v - 1.5 * a;
+        EXPECT_GT(norm(a), 0);
+        EXPECT_LT(norm(started.increment(s) - w0), 1e-15);
+        EXPECT_LT(norm(started.velocity_increment(s) - (1.5 * w0 - 0.5 * before)), 1e-15);
+    }
+}
+
+}  // namespace
+}  // namespace cracksim::physics

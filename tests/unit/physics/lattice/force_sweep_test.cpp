@@ -1,0 +1,263 @@
+#include "physics/lattice/force_sweep.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "core/hash.hpp"
+#include "physics/fracture/split.hpp"
+#include "support/network_members.hpp"
+#include "support/precisions.hpp"
+#include "support/random_state.hpp"
+#include "support/serial_network.hpp"
+
+namespace cracksim::physics {
+namespace {
+
+/// The force on each corner of an entity, interaction by interaction, as the model states it.
+std::array<Vec3, Hexahedron::corners> plain_forces(const Network& network, const State& state, LocalEntity e) {
+    std::array<Vec3, Hexahedron::corners> force{};
+    for (std::size_t i = 0; i < HexahedronPairs::count; ++i) {
+        const auto [a, b] = HexahedronPairs::corners[i];
+        const Slot sa = state.unions.slot(local_mass(e, a));
+        const Slot sb = state.unions.slot(local_mass(e, b));
+        const Vec3 d = network.model().rest[i] + state.displacement(sb) - state.displacement(sa);
+        const Vec3 n = (1 / norm(d)) * d;
+        const Vec3 v = (1 / state.step_size) * (state.velocity_increment(sb) - state.velocity_increment(sa));
+        const Elasticity& c = network.model().elasticity[i];
+        const Vec3 f = (c.stiffness * (norm(d) - network.model().rest_length[i]) + c.viscosity * dot(v, n)) * n;
+        force[static_cast<std::size_t>(a)] += f;
+        force[static_cast<std::size_t>(b)] += -f;
+    }
+    return force;
+}
+
+TEST(ForceSweep, IsTheModelsForceInEveryEntityOfAnyBlock) {
+    for (const std::array<std::int64_t, 3> cells :
+         {std::array<std::int64_t, 3>{1, 1, 1}, {7, 2, 1}, {9, 3, 2}, {17, 1, 3}}) {
+        test::SerialBlock block;
+        block.cells = cells;
+        block.edge = {1, 1.5, 0.7};
+        const Network network = block.network();
+        for (const Precision precision : test::both_precisions) {
+            State state{network, Scheme::cordis, 0.3, precision};
+            test::shake(state, 0.2, 11);
+            for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
+                const auto expected = plain_forces(network, state, e);
+                const auto found = entity_forces(network, state, std::array{e})[0];
+                for (std::size_t c = 0; c < found.size(); ++c) {
+                    EXPECT_LT(norm(found[c] - expected[c]), test::allowed(2e-15, precision));
+                }
+            }
+        }
+    }
+}
+
+/// The model's force on each union, mass by mass.
+void expect_forces_of_the_model(const Network& network, State& state) {
+    accumulate_forces(network, state, Measure::nothing);
+    for (const Slot s : state.unions.advanced()) {
+        Vec3 sum;
+        state.unions.for_each_mass(s, [&](LocalMass m) {
+            sum += plain_forces(network, state, entity_of(m))[static_cast<std::size_t>(corner_of(m))];
+        });
+        ASSERT_LT(norm(state.force(s) - sum), test::allowed(1e-14, state.motion.precision()));
+    }
+}
+
+TEST(ForceSweep, SumsTheModelsForcesOverUnionsInAnyStateOfSplits) {
+    for (const std::array<std::int64_t, 3> cells :
+         {std::array<std::int64_t, 3>{1, 1, 1}, {3, 5, 4}, {7, 2, 2}, {8, 2, 2}, {16, 3, 1}, {33, 4, 3}}) {
+        test::SerialBlock block;
+        block.cells = cells;
+        const Network network = block.network();
+        for (const std::uint64_t one_in : {30U, 6U, 2U, 1U}) {
+            for (const Precision precision : test::both_precisions) {
+                State state{network, Scheme::cordis, 0.3, precision};
+                test::shake(state, 0.2, 4);
+                expect_forces_of_the_model(network, state);
+                SplitStream splits;
+                split(network, test::drawn_duplets(network, state, one_in, 1), state, splits);
+                const State shared = state;
+                expect_forces_of_the_model(network, state);
+                for (const Slot s : state.unions.advanced()) {
+                    ASSERT_LT(norm(shared.force(s) - state.force(s)), test::allowed(1e-14, precision))
+                        << "forces shared out by a split";
+                }
+            }
+        }
+    }
+}
+
+/// The union at an entity's corner 0 is displaced. Its stretched interactions put their neighbours in the vector on another path, whose
+/// forces must not notice.
+void expect_that_only_its_neighbours_notice(Precision precision, EntityId entity, Vec3 displacement) {
+    test::SerialBlock block;
+    block.cells = {40, 3, 3};
+    const Network network = block.network();
+    State state{network, Scheme::cordis, 0.3, precision};
+    test::shake(state, 0.005, 7);
+    State disturbed = state;
+    const VertexId far = network.block().vertex(entity, 0);
+    const auto vertex = [&](LocalMass m) { return network.block().vertex(network.entity(entity_of(m)), corner_of(m)); };
+    for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
+        if (vertex(m) == far) {
+            disturbed.set_displacement(state.unions.slot(m), displacement);
+        }
+    }
+    accumulate_forces(network, state, Measure::nothing);
+    accumulate_forces(network, disturbed, Measure::nothing);
+    std::set<Slot> near;
+    for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
+        for (const auto& [a, b] : HexahedronPairs::corners) {
+            if (vertex(local_mass(e, a)) == far || vertex(local_mass(e, b)) == far) {
+                near.insert({state.unions.slot(local_mass(e, a)), state.unions.slot(local_mass(e, b))});
+            }
+        }
+    }
+    EXPECT_GT(near.size(), 1U + 3U);
+    for (const Slot s : state.unions.advanced()) {
+        EXPECT_EQ(state.force(s) == disturbed.force(s), !near.contains(s));
+    }
+}
+
+TEST(ForceSweep, GivesTheSameBitsWhateverTheRangeOfTheOthers) {
+    for (const Precision precision : test::both_precisions) {
+        for (const Vec3 displacement : {Vec3{0.15, 0.1, -0.1}, Vec3{3, 2, 1}, Vec3{std::nan(""), 0, 0}}) {
+            // Inside, at the start of a row, at the front, in the lowest layer and at the start of its rows.
+            for (const std::int64_t entity : {180, 161, 140, 60, 41}) {
+                expect_that_only_its_neighbours_notice(precision, EntityId{entity}, displacement);
+            }
+        }
+    }
+}
+
+/// A single edge of stiffness 1 in one entity, stretched by about this extension x = |d|^2/L0^2 - 1: its force over the right one.
+double relative_pull_along_x(double extension, Precision precision) {
+    test::SerialBlock block;
+    block.cells = {1, 1, 1};
+    block.edges = {1, 0};
+    block.diagonals = {0, 0};
+    const Network network = block.network();
+    State state{network, Scheme::cordis, 0.3, precision};
+    // The length 1 + u from u = x/(1 + sqrt(1 + x)) has all its digits.
+    const double u = state.motion.rounded(extension / (1 + std::sqrt(1 + extension)));
+    for (LocalMass m{0}; m.value() < Hexahedron::corners; ++m) {
+        state.set_displacement(state.unions.slot(m), {u * network.rest_position(m).x, 0, 0});
+    }
+    accumulate_forces(network, state, Measure::nothing);
+    return state.force(state.unions.slot(LocalMass{0})).x / u;
+}
+
+TEST(ForceSweep, IsRightToTheLastDigitsAtAnyStretch) {
+    for (double size = 1e-15; size < 1e6; size *= 1.07) {
+        for (const double extension : {size, -size}) {
+            for (const Precision precision : test::both_precisions) {
+                if (extension > -0.9) {
+                    EXPECT_NEAR(relative_pull_along_x(extension, precision), 1, test::allowed(5e-15, precision))
+                        << "extension " << extension;
+                }
+            }
+        }
+    }
+}
+
+void expect_no_force_under_translation(Precision precision, double far) {
+    // Void places and empty ones stay where they are.
+    for (const std::array<std::int64_t, 3> cells :
+         {std::array<std::int64_t, 3>{1, 1, 1}, {5, 3, 2}, {8, 2, 2}, {16, 2, 2}, {33, 3, 4}}) {
+        for (const std::uint64_t one_in : {0U, 3U, 1U}) {
+            test::SerialBlock block;
+            block.cells = cells;
+            const Network network = block.network();
+            State state{network, Scheme::cordis, 0.3, precision};
+            SplitStream splits;
+            if (one_in > 0) {
+                split(network, test::drawn_duplets(network, state, one_in, 5), state, splits);
+            }
+            for (const Slot s : state.unions.advanced()) {
+                state.set_displacement(s, {0.1, 0.7, -far});
+                state.set_increment(s, {0.3, far, 0.2});
+            }
+            accumulate_forces(network, state, Measure::elastic_energy);
+            for (const Slot s : state.unions.advanced()) {
+                ASSERT_EQ(state.force(s), (Vec3{0, 0, 0})) << far << " m";
+            }
+            EXPECT_EQ(state.elastic, 0);
+            EXPECT_EQ(state.dissipated, 0);
+            EXPECT_EQ(state.last_dissipation, 0);
+        }
+    }
+}
+
+TEST(ForceSweep, IsExactlyZeroAtRestAndUnderTranslationHoweverFar) {
+    for (const double far : {3.0, 1e3, 1e6, 1e60}) {
+        expect_no_force_under_translation(Precision::binary64, far);
+    }
+    for (const double far : {3.0, 1e3, 1e6, 1e18}) {
+        expect_no_force_under_translation(Precision::binary32, far);
+    }
+}
+
+TEST(ForceSweep, KeepsItsDigitsAtTinyStrain) {
+    test::SerialBlock block;
+    block.cells = {1, 1, 1};
+    block.edges = {0.2, 0};
+    block.diagonals = {0.3, 0};
+    const Network network = block.network();
+    State state{network, Scheme::cordis, 0.3};
+    const double tiny = 1e-14;
+    for (LocalMass m{0}; m.value() < Hexahedron::corners; ++m) {
+        state.set_displacement(state.unions.slot(m), {tiny * network.rest_position(m).x, 0, 0});
+    }
+    accumulate_forces(network, state, Measure::nothing);
+    // Stretched along x: each corner feels one edge, k1 tiny, and a diagonal, k3 (tiny/sqrt 3)/sqrt 3.
+    const Vec3 force = state.force(state.unions.slot(LocalMass{0}));
+    EXPECT_NEAR(force.x / tiny, 0.2 + 0.3 / 3, 1e-12);
+}
+
+TEST(ForceSweep, IsZeroAlongAVanishedInteraction) {
+    test::SerialBlock block;
+    block.cells = {1, 1, 1};
+    const Network network = block.network();
+    State state{network, Scheme::cordis, 0.3};
+    for (LocalMass m{0}; m.value() < Hexahedron::corners; ++m) {
+        state.set_displacement(state.unions.slot(m), -network.rest_position(m));
+    }
+    accumulate_forces(network, state, Measure::nothing);
+    for (int c = 0; c < Hexahedron::corners; ++c) {
+        EXPECT_EQ(state.force(state.unions.slot(LocalMass{c})), (Vec3{0, 0, 0}));
+    }
+}
+
+TEST(ForceSweep, IsTheGradientOfTheElasticEnergy) {
+    test::SerialBlock block;
+    block.cells = {2, 2, 1};
+    block.edges = {0.2, 0};
+    block.diagonals = {0.3, 0};
+    const Network network = block.network();
+    State state{network, Scheme::cordis, 0.3};
+    test::shake(state, 0.1, 5);
+    accumulate_forces(network, state, Measure::elastic_energy);
+    const Slot moved = state.unions.advanced()[4];
+    const Vec3 force = state.force(moved);
+    const double h = 1e-6;
+    const Vec3 at = state.displacement(moved);
+    for (int axis = 0; axis < 3; ++axis) {
+        std::array<double, 2> energy{};
+        for (std::size_t side = 0; side < 2; ++side) {
+            Vec3 there = at;
+            there[axis] += side == 0 ? -h : h;
+            state.set_displacement(moved, there);
+            accumulate_forces(network, state, Measure::elastic_energy);
+            energy[side] = state.elastic;
+        }
+        state.set_displacement(moved, at);
+        EXPECT_NEAR(force[axis], -(energy[1] - energy[0]) / (2 * h), 1e-9);
+    }
+}
+
+}  // namespace
+}  // namespace cracksim::physics

@@ -1,0 +1,118 @@
+#include "physics/problem/network.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "physics/fracture/split.hpp"
+#include "support/serial_network.hpp"
+
+namespace cracksim::physics {
+namespace {
+
+using Pair = std::pair<std::int32_t, std::int32_t>;
+
+Network network_of(std::array<std::int64_t, 3> cells, Duplets duplets) {
+    test::SerialBlock block;
+    block.cells = cells;
+    block.duplets = duplets;
+    return block.network();
+}
+
+/// Local masses are global ones on one rank.
+std::set<Pair> duplets_of(const Network& network) {
+    std::set<Pair> found;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interfaces().size()); ++i) {
+        for (int k = 0; k < Network::duplets_per_interface; ++k) {
+            if (network.has_touched_duplet(i, k)) {
+                const auto [a, b] = masses_of(network, LocalDuplet{i * Network::duplets_per_interface + k});
+                found.emplace(std::min(a, b).value(), std::max(a, b).value());
+            }
+        }
+    }
+    return found;
+}
+
+std::set<Pair> within(const std::set<Pair>& duplets, std::span<const LocalMass> masses) {
+    std::set<Pair> found;
+    std::ranges::copy_if(duplets, std::inserter(found, found.end()), [&](const Pair& d) {
+        return std::ranges::find(masses, LocalMass{d.first}) != masses.end() &&
+               std::ranges::find(masses, LocalMass{d.second}) != masses.end();
+    });
+    return found;
+}
+
+std::size_t reached_from_first(const std::set<Pair>& duplets, std::span<const LocalMass> masses) {
+    std::set<std::int32_t> reached{masses.front().value()};
+    for (std::size_t before = 0; before != reached.size();) {
+        before = reached.size();
+        for (const auto& [a, b] : duplets) {
+            if (reached.contains(a) || reached.contains(b)) {
+                reached.insert({a, b});
+            }
+        }
+    }
+    return reached.size();
+}
+
+TEST(Network, HasADupletAtEachCornerOfEachSharedFace) {
+    const Network network = network_of({4, 3, 2}, Duplets::corners);
+    EXPECT_EQ(duplets_of(network).size(), 4 * network.interfaces().size());
+}
+
+TEST(Network, TreeHoldsEachUnionTogetherWithTheFewestOfTheDuplets) {
+    for (const auto& cells : {std::array<std::int64_t, 3>{4, 3, 2}, {5, 1, 1}, {3, 3, 3}, {1, 4, 2}}) {
+        const Network network = network_of(cells, Duplets::tree);
+        const std::set<Pair> tree = duplets_of(network);
+        const std::set<Pair> all = duplets_of(network_of(cells, Duplets::corners));
+        EXPECT_TRUE(std::ranges::includes(all, tree));
+        std::int64_t unions = 0;
+        network.for_each_union([&](std::span<const LocalMass> masses) {
+            const std::set<Pair> here = within(tree, masses);
+            EXPECT_EQ(here.size(), masses.size() - 1);
+            EXPECT_EQ(reached_from_first(here, masses), masses.size());
+            ++unions;
+        });
+        EXPECT_EQ(unions, network.block().vertex_count());
+    }
+}
+
+// Breadth first from mass 6: 15, 21, 34 over its faces; from 15 those not reached yet, 28 and 43; from 21, 49; from 28, 56.
+TEST(Network, TreeOfAnInteriorVertexFollowsAscendingIds) {
+    const Network network = network_of({2, 2, 2}, Duplets::tree);
+    const std::vector<LocalMass> centre{LocalMass{6},  LocalMass{15}, LocalMass{21}, LocalMass{28},
+                                        LocalMass{34}, LocalMass{43}, LocalMass{49}, LocalMass{56}};
+    EXPECT_EQ(within(duplets_of(network), centre),
+              (std::set<Pair>{{6, 15}, {6, 21}, {6, 34}, {15, 28}, {15, 43}, {21, 49}, {28, 56}}));
+}
+
+TEST(Network, ThresholdsAreThoseOfTheirPlacesWhereverTheFirstDifferentOneIs) {
+    for (const double from : {0.0, 0.5, 2.5, 3.5, 9.0}) {
+        test::SerialBlock block;
+        block.cells = {4, 3, 2};
+        block.thresholds.field = [from](Vec3 at) { return at.x > from && at.y > 0.5 ? 0.3 : 0.2; };
+        const Network network = block.network();
+        for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interfaces().size()); ++i) {
+            for (int k = 0; k < Network::duplets_per_interface; ++k) {
+                const LocalDuplet d{i * Network::duplets_per_interface + k};
+                const Vec3 at = network.rest_position(masses_of(network, d)[0]);
+                EXPECT_EQ(network.threshold(d), block.thresholds.field(at));
+            }
+        }
+    }
+}
+
+TEST(Network, OneThresholdTakesNoMemory) {
+    test::SerialBlock block;
+    const std::size_t uniform = block.network().memory_bytes();
+    block.thresholds.weibull = Weibull{4, 1};
+    const Network varied = block.network();
+    EXPECT_EQ(varied.memory_bytes(),
+              uniform + varied.interfaces().size() * Network::duplets_per_interface * sizeof(double));
+}
+
+}  // namespace
+}  // namespace cracksim::physics

@@ -1,0 +1,78 @@
+#include "physics/problem/single_precision.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "physics/lattice/advance.hpp"
+#include "physics/state/kinetic_energy.hpp"
+#include "support/serial_network.hpp"
+
+namespace cracksim::physics {
+namespace {
+
+std::string unfit(const test::SerialBlock& block, double step_size) {
+    return unfit_for_single_precision(block.model(), step_size).value_or("");
+}
+
+TEST(SinglePrecision, TakesBlocksOfAnyUsualSize) {
+    EXPECT_EQ(unfit({}, 0.3), "");
+    test::SerialBlock atoms;
+    atoms.edge = {1e-9, 1e-9, 1e-9};
+    atoms.corner_mass = 1e-25;
+    atoms.edges = {20, 1e-12};
+    atoms.diagonals = {0, 0};
+    EXPECT_EQ(unfit(atoms, 1e-14), "");
+}
+
+TEST(SinglePrecision, NamesWhatItCannotHold) {
+    test::SerialBlock stiff;
+    stiff.edges.stiffness = 1e40;
+    EXPECT_EQ(unfit(stiff, 0.3), "the stiffness of an interaction, 1e+40 N/m");
+    test::SerialBlock viscous;
+    viscous.edges.viscosity = 1e22;
+    EXPECT_EQ(unfit(viscous, 1e-4), "the viscosity of an interaction over step and squared length, 1e+26 N/m3");
+    test::SerialBlock heavy;
+    heavy.corner_mass = 1e30;
+    EXPECT_EQ(unfit(heavy, 1), "the squared step over a mass, 1e-30 s2/kg");
+}
+
+/// A block without damping that swings, after some steps.
+State swinging(const Network& network, Precision precision, int steps) {
+    const Initial initial{[](Vec3) { return Vec3{}; },
+                          [](Vec3 at) {
+                              return Vec3{0.02 * std::sin(at.y), 0.01 * std::cos(at.x), 0.02 * std::sin(0.5 * at.x)};
+                          }};
+    State state{network, Scheme::cordis, 0.2, precision};
+    start(network, initial, state);
+    accumulate_forces(network, state, Measure::elastic_energy);
+    for (int step = 0; step < steps; ++step) {
+        advance(network, state, {}, Measure::elastic_energy);
+    }
+    return state;
+}
+
+TEST(SinglePrecision, FollowsDoubleToFourDigitsThroughAThousandSteps) {
+    test::SerialBlock block;
+    block.cells = {9, 5, 3};
+    block.edges.viscosity = 0;
+    block.diagonals.viscosity = 0;
+    const Network network = block.network();
+    const State in_double = swinging(network, Precision::binary64, 1000);
+    const State in_single = swinging(network, Precision::binary32, 1000);
+    double farthest = 0;
+    double difference = 0;
+    for (const Slot s : in_double.unions.advanced()) {
+        farthest = std::max(farthest, norm(in_double.displacement(s)));
+        difference = std::max(difference, norm(in_double.displacement(s) - in_single.displacement(s)));
+    }
+    EXPECT_GT(difference, 0);
+    EXPECT_LT(difference / farthest, 1e-4);
+    const auto energy = [&](const State& state) { return state.elastic + kinetic_energy(network, state); };
+    EXPECT_NEAR(energy(in_single) / energy(in_double), 1, 1e-4);
+}
+
+}  // namespace
+}  // namespace cracksim::physics

@@ -1,0 +1,73 @@
+#include "physics/problem/stability.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "physics/lattice/advance.hpp"
+#include "physics/lattice/force_sweep.hpp"
+#include "support/serial_network.hpp"
+
+namespace cracksim::physics {
+namespace {
+
+TEST(StepBound, OfTheSpectrumIsTheClosedFormOfTheHexahedron) {
+    std::mt19937_64 random{1};
+    std::uniform_real_distribution<double> value{0.0, 2.0};
+    for (int i = 0; i < 200; ++i) {
+        const Elasticity edges{value(random) + 0.01, i % 3 == 0 ? 0.0 : value(random)};
+        const Elasticity diagonals{value(random), i % 4 == 0 ? 0.0 : value(random)};
+        const double mass = value(random) + 0.1;
+        for (const Scheme scheme : {Scheme::cordis, Scheme::ab2}) {
+            const double closed = hexahedron_step_bound(mass, edges, diagonals, scheme);
+            EXPECT_NEAR(step_bound({{1, 2, 3}, mass, edges, diagonals}, scheme).step, closed, 1e-12 * closed);
+        }
+    }
+}
+
+TEST(StepBound, NamesWhatHoldsItDown) {
+    EXPECT_EQ(step_bound({{1, 1, 1}, 1, {1, 0}, {1, 0}}, Scheme::cordis).cause, "stiffness");
+    EXPECT_EQ(step_bound({{1, 1, 1}, 1, {1, 50}, {1, 50}}, Scheme::cordis).cause, "viscosity");
+}
+
+TEST(AutomaticStep, KeepsMoreDistanceWithoutViscosity) {
+    const EntityModel damped{{1, 1, 1}, 1, {1, 0.1}, {1, 0.1}};
+    const EntityModel undamped{{1, 1, 1}, 1, {1, 0}, {1, 0}};
+    EXPECT_DOUBLE_EQ(automatic_step(damped, {2.0, ""}), 1.8);
+    EXPECT_DOUBLE_EQ(automatic_step(undamped, {2.0, ""}), 1.0);
+}
+
+/// An entity folded onto a segment by corner parity: all odd corners move onto one end. It attains the bound.
+double growth_of_folded_entity(double share_of_bound) {
+    test::SerialBlock block;
+    block.cells = {1, 1, 1};
+    block.edges = {0.2, 0.04};
+    block.diagonals = {0.3, 0.06};
+    const Network network = block.network();
+    State state{network, Scheme::cordis, share_of_bound * step_bound(block.model(), Scheme::cordis).step};
+    for (LocalMass m{0}; m.value() < Hexahedron::corners; ++m) {
+        const auto& o = Hexahedron::offset[static_cast<std::size_t>(corner_of(m))];
+        const bool odd = (o[0] + o[1] + o[2]) % 2 != 0;
+        const Vec3 rest = network.rest_position(m);
+        const Vec3 target{odd ? 1.0 : 0.0, 0, 0};
+        state.set_displacement(state.unions.slot(m), target - rest);
+        state.set_increment(state.unions.slot(m), {odd ? 1e-9 : -1e-9, 0, 0});
+    }
+    const Slot slot = state.unions.slot(LocalMass{0});
+    const double before = std::abs(state.increment(slot).x);
+    double largest = before;
+    accumulate_forces(network, state, Measure::nothing);
+    for (int step = 0; step < 60; ++step) {
+        advance(network, state, {}, Measure::nothing);
+        largest = std::max(largest, std::abs(state.increment(slot).x));
+    }
+    return largest / before;
+}
+
+TEST(StepBound, IsSharpForTheFoldedEntity) {
+    // Its diagonals are stretched from sqrt(3) to 1 as well, so only the growth over many steps tells the two sides apart.
+    EXPECT_GT(growth_of_folded_entity(1.3), 1e3 * growth_of_folded_entity(0.9));
+}
+
+}  // namespace
+}  // namespace cracksim::physics
