@@ -107,8 +107,8 @@ std::int64_t event_file_bytes(std::int64_t events, std::int64_t parts, std::int6
 }
 
 EventWriter::EventWriter(const partition::Communicator& comm, std::filesystem::path file, double dt,
-                         Background* background)
-    : comm_{&comm}, file_{std::move(file)}, dt_{dt}, background_{background} {}
+                         Worker* worker)
+    : comm_{&comm}, file_{std::move(file)}, dt_{dt}, worker_{worker} {}
 
 void EventWriter::append(std::span<const DupletEvent> events, const SplitParts& parts) const {
     std::vector<DupletEvent> all_events = comm_->gather(events);
@@ -116,10 +116,10 @@ void EventWriter::append(std::span<const DupletEvent> events, const SplitParts& 
     std::function<void()> write = [this, all_events = std::move(all_events), all_parts = std::move(all_parts)] {
         append_on_root(sorted(all_events), io::sorted(all_parts));
     };
-    if (background_ == nullptr) {
+    if (worker_ == nullptr) {
         on_root(*comm_, write);
     } else if (comm_->is_root()) {
-        background_->post(std::move(write));
+        worker_->post(std::move(write));
     }
 }
 

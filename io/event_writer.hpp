@@ -22,7 +22,7 @@ public:
     /// dt: the step, s. With a background, the root writes there, and what fails is told by it. The communicator and the
     /// background must outlive the writer, and the writer the background's jobs. Touches no file.
     EventWriter(const partition::Communicator& comm, std::filesystem::path file, double dt,
-                Background* background = nullptr);
+                Worker* worker = nullptr);
 
     /// Adds this rank's new events and parts; all of them must be later than those added before. They are written in order of
     /// (step, mass_a, mass_b) and (step, union, first mass); what several ranks give is written once. The first call makes the file
@@ -35,7 +35,7 @@ private:
     const partition::Communicator* comm_;
     std::filesystem::path file_;
     double dt_;
-    Background* background_;
+    Worker* worker_;
 };
 
 }  // namespace cracksim::io

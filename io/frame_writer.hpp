@@ -32,7 +32,7 @@ public:
     FrameRecord write(const geometry::Mesh& mesh, std::int64_t step, double time);
 
     /// Writes a frame that the root holds whole; on the root alone, without communication, so it may run beside the run (see
-    /// Background). Nothing else may be asked of this writer meanwhile, on any rank. Throws FileError.
+    /// Worker). Nothing else may be asked of this writer meanwhile, on any rank. Throws FileError.
     FrameRecord write_alone(const geometry::Mesh& mesh, std::int64_t step, double time);
 
     /// Brings NAME.xdmf and NAME.hdf.series up to date with the last frame. While frames follow each other quickly write() does

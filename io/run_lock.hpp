@@ -6,7 +6,7 @@
 
 namespace cracksim::io {
 
-/// Held while a run writes to a directory: no other run can use it meanwhile. Released when it goes, or with its process.
+/// HeldUnion while a run writes to a directory: no other run can use it meanwhile. Released when it goes, or with its process.
 class RunLock {
 public:
     RunLock() = default;

@@ -62,7 +62,7 @@ struct Summary {
         std::int64_t memory_intact{0}, memory_broken{0};      ///< of the rank that holds most
         std::int64_t exchange_intact{0}, exchange_broken{0};  ///< of all ranks, in a step
         std::int64_t output_intact{0}, output_broken{0};
-        std::int64_t output_per_interface{0};  ///< for each interface that opens, in each later frame
+        std::int64_t output_per_interface{0};  ///< for each interior face that opens, in each later frame
     };
 
     Status status{Status::finished};

@@ -18,7 +18,7 @@ void leave_signals_to_others() {
 
 }  // namespace
 
-Background::~Background() {
+Worker::~Worker() {
     {
         const std::scoped_lock lock{mutex_};
         ending_ = true;
@@ -30,7 +30,7 @@ Background::~Background() {
     }
 }
 
-void Background::post(std::function<void()> job) {
+void Worker::post(std::function<void()> job) {
     std::unique_lock lock{mutex_};
     changed_.wait(lock, [&] { return jobs_.size() < most_waiting; });
     if (failure_) {
@@ -45,31 +45,31 @@ void Background::post(std::function<void()> job) {
     changed_.notify_all();
 }
 
-void Background::start() {
+void Worker::start() {
     if (!thread_.joinable()) {
         hdf5::start();
         thread_ = std::thread{[this] { work(); }};
     }
 }
 
-void Background::settle() {
+void Worker::settle() {
     std::unique_lock lock{mutex_};
     changed_.wait(lock, [&] { return jobs_.empty() && !working_; });
 }
 
-void Background::wait() {
+void Worker::wait() {
     settle();
     check();
 }
 
-void Background::check() {
+void Worker::check() {
     const std::scoped_lock lock{mutex_};
     if (failure_) {
         std::rethrow_exception(std::exchange(failure_, nullptr));
     }
 }
 
-void Background::work() {
+void Worker::work() {
     leave_signals_to_others();
     std::unique_lock lock{mutex_};
     for (;;) {

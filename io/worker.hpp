@@ -14,13 +14,13 @@ namespace cracksim::io {
 /// that it cannot be started counts as a job's failure. Only one thread posts, waits and asks.
 /// Jobs must not communicate: only the main thread may use MPI. HDF5 knows no threads: whoever uses it elsewhere calls
 /// wait() before. After a job has failed the others are dropped, until somebody has been told by check() or wait().
-class Background {
+class Worker {
 public:
-    Background() = default;
-    Background(const Background&) = delete;
-    Background& operator=(const Background&) = delete;
+    Worker() = default;
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
     /// Drops what has not begun.
-    ~Background();
+    ~Worker();
 
     /// Waits while too many jobs do: they hold what they write.
     void post(std::function<void()> job);

@@ -74,12 +74,12 @@ void Dynamics::audit(const partition::Audit& audit) const {
     const std::int64_t unknown = -1;
     std::vector<std::int32_t> reads(static_cast<std::size_t>(network_.mass_count()), 0);
     const auto& unions = state_.unions;
-    for (const physics::Slot s : unions.advanced()) {
-        // The sweep adds a mass's force where its slot says; the list of the union must agree.
-        unions.for_each_mass(s, [&](LocalMass m) { reads[m.index()] += unions.slot(m) == s ? 1 : 2; });
+    for (const physics::LocalUnion s : unions.advanced()) {
+        // The sweep adds a mass's force where its union says; the list of the union must agree.
+        unions.for_each_mass(s, [&](LocalMass m) { reads[m.index()] += unions.union_of(m) == s ? 1 : 2; });
     }
     const auto view = [&](LocalMass m) {
-        const physics::Slot s = unions.slot(m);
+        const physics::LocalUnion s = unions.union_of(m);
         const bool advanced = unions.is_touched(physics::vertex_of(s));
         return partition::MassView{advanced ? network_.mass(unions.smallest_mass(s)).value() : unknown,
                                    physics::motion_hash(state_, m)};

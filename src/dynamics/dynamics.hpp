@@ -27,7 +27,7 @@ public:
     MassEvolution(const physics::Network& network, const physics::State& state) : network_{network}, state_{state} {}
 
     [[nodiscard]] Vec3 rest(LocalMass m) const override { return network_.rest_position(m); }
-    [[nodiscard]] Vec3 displacement(LocalMass m) const override { return state_.displacement(state_.unions.slot(m)); }
+    [[nodiscard]] Vec3 displacement(LocalMass m) const override { return state_.displacement(state_.unions.union_of(m)); }
 
 private:
     const physics::Network& network_;

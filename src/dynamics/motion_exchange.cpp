@@ -35,7 +35,7 @@ std::vector<LocalMass> local_masses(const partition::Decomposition& decompositio
     return masses;
 }
 
-std::vector<ListedUnions> unions_by_side(const physics::UnionTable& unions, std::span<const ExchangePlan::Side> sides,
+std::vector<ListedUnions> unions_by_side(const physics::Unions& unions, std::span<const ExchangePlan::Side> sides,
                                          std::span<const LocalMass> masses) {
     std::vector<ListedUnions> found;
     for (const ExchangePlan::Side& side : sides) {
@@ -71,7 +71,7 @@ MotionExchange::MotionExchange(const partition::Communicator& comm, const physic
 
 MotionExchange::MessageView::MessageView(std::span<const double> message) {
     require(message.size() >= doubles_of_header);
-    const auto doubles = doubles_of_label * static_cast<std::size_t>(message[0]);
+    const auto doubles = doubles_of_part * static_cast<std::size_t>(message[0]);
     require(message.size() >= doubles_of_header + doubles);
     fingerprint = static_cast<std::uint64_t>(message[1]);
     labels = message.subspan(doubles_of_header, doubles);
@@ -82,7 +82,7 @@ std::vector<partition::NeighbourMessages::Neighbour> MotionExchange::neighbours(
     std::span<const ExchangePlan::Side> sides) {
     std::vector<partition::NeighbourMessages::Neighbour> found;
     for (const ExchangePlan::Side& side : sides) {
-        const std::size_t all_alone = side.places.size() * (doubles_of_label + doubles_of_increment);
+        const std::size_t all_alone = side.places.size() * (doubles_of_part + doubles_of_increment);
         found.push_back({side.rank, doubles_of_header + all_alone});
     }
     return found;
@@ -92,7 +92,7 @@ void MotionExchange::start(const physics::Network& network, const partition::Dec
                            physics::State& state) const {
     std::vector<physics::StartIncrements> sent;
     for (const LocalMass m : local_masses(decomposition, plan_.sent())) {
-        const physics::Slot s = state.unions.slot(m);
+        const physics::LocalUnion s = state.unions.union_of(m);
         sent.push_back({state.increment(s), state.velocity_increment(s)});
     }
     std::vector<physics::StartIncrements> received(network.received().size());
@@ -116,8 +116,8 @@ std::span<const Vec3> MotionExchange::next_increments(const physics::Network& ne
 
 void MotionExchange::write(const physics::Network& network, const physics::State& state, std::size_t target) {
     ListedUnions& unions = sent_[target];
-    const std::vector<ListedUnions::Relabelled> relabelled = unions.update(state.unions);
-    const std::size_t before = doubles_of_header + doubles_of_label * relabelled.size();
+    const std::vector<ListedUnions::NewPart> relabelled = unions.update(state.unions);
+    const std::size_t before = doubles_of_header + doubles_of_part * relabelled.size();
     std::vector<double>& message = messages_.outgoing(target);
     message.resize(before + doubles_of_increment * unions.entries().size());
     message[0] = static_cast<double>(relabelled.size());
@@ -132,20 +132,20 @@ void MotionExchange::write(const physics::Network& network, const physics::State
 }
 
 void MotionExchange::read_labels(const physics::Network& network, physics::State& state) {
-    std::vector<physics::ReceivedLabel> labels;
+    std::vector<physics::ReceivedPart> labels;
     for (std::size_t source = 0; source < received_.size(); ++source) {
         const std::span<const double> told = MessageView{messages_.incoming(source)}.labels;
-        for (std::size_t i = 0; i < told.size(); i += doubles_of_label) {
+        for (std::size_t i = 0; i < told.size(); i += doubles_of_part) {
             const auto place = static_cast<std::size_t>(told[i]);
             const auto label = static_cast<int>(told[i + 1]);
-            require(place < received_[source].masses().size() && label < physics::planes);
+            require(place < received_[source].masses().size() && label < physics::layers);
             labels.push_back({plan_.sources()[source].places[place], label});
         }
     }
     if (labels.empty()) {
         return;
     }
-    physics::set_received_labels(network, state, labels);
+    physics::set_received_parts(network, state, labels);
     for (ListedUnions& unions : received_) {
         static_cast<void>(unions.update(state.unions));
     }

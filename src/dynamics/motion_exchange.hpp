@@ -24,12 +24,12 @@ class MotionExchange {
     // A message has the number of new labels and the fingerprint of all labels, new ones included; place and label of each new one; the
     // increment of each union.
     static constexpr std::size_t doubles_of_header = 2;
-    static constexpr std::size_t doubles_of_label = 2;
+    static constexpr std::size_t doubles_of_part = 2;
     static constexpr std::size_t doubles_of_increment = 3;
 
 public:
     /// Of a message whose masses all come off at once.
-    static constexpr std::size_t longest_per_mass = sizeof(double) * (doubles_of_label + doubles_of_increment);
+    static constexpr std::size_t longest_per_mass = sizeof(double) * (doubles_of_part + doubles_of_increment);
     /// Of messages with the increments of so many unions and no new labels.
     [[nodiscard]] static constexpr std::int64_t bytes_of_step(std::int64_t messages, std::int64_t unions) {
         constexpr auto header = static_cast<std::int64_t>(sizeof(double) * doubles_of_header);

@@ -3,17 +3,17 @@
 #include <algorithm>
 
 #include "core/errors.hpp"
+#include "core/text.hpp"
 #include "core/vec3.hpp"
 #include "io/memory.hpp"
 #include "forecast/memory_forecast.hpp"
-#include "simulation/progress.hpp"
 
 namespace cracksim::forecast {
 
 namespace {
 
-Range peaks(const scene::Scene& scene, const PartLoad& load, const RankSetting& setting) {
-    return {peak_bytes(scene, load, setting, 0), peak_bytes(scene, load, setting, 1)};
+Range peaks(const scene::Scene& scene, const RankCounts& counts, const RankSetting& setting) {
+    return {peak_bytes(scene, counts, setting, 0), peak_bytes(scene, counts, setting, 1)};
 }
 
 Range exchange_of(std::int64_t messages, std::int64_t unions, std::int64_t masses) {
@@ -22,7 +22,7 @@ Range exchange_of(std::int64_t messages, std::int64_t unions, std::int64_t masse
 
 }  // namespace
 
-Machine look_around(const partition::Communicator& comm) {
+Machine survey_machine(const partition::Communicator& comm) {
     const std::int64_t here = comm.ranks_on_this_machine();
     const std::int64_t held = io::peak_resident_bytes();
     const auto available = io::available_bytes();
@@ -36,29 +36,29 @@ Machine look_around(const partition::Communicator& comm) {
 
 Forecast estimate(const scene::Scene& scene, const scene::CertifiedStep& certified, const Machine& machine) {
     Forecast forecast{machine.ranks == 1, {}, {}, forecast_output(scene, certified)};
-    PartLoad all;
+    RankCounts all;
     RankSetting setting{machine.ranks, true, machine.process_bytes};
-    for (const PartLoad& load : estimated_loads(scene.block, scene.partition, machine.ranks)) {
-        const Range here = peaks(scene, load, setting);
+    for (const RankCounts& counts : estimated_rank_counts(scene.block, scene.partition, machine.ranks)) {
+        const Range here = peaks(scene, counts, setting);
         forecast.memory_per_rank = {std::max(forecast.memory_per_rank.intact, here.intact),
                                     std::max(forecast.memory_per_rank.broken, here.broken)};
-        all.messages += load.messages;
-        all.sent_unions += load.sent_unions;
-        all.sent += load.sent;
+        all.messages += counts.messages;
+        all.sent_unions += counts.sent_unions;
+        all.sent += counts.sent;
         setting.is_root = false;
     }
     forecast.exchange_per_step = exchange_of(all.messages, all.sent_unions, all.sent);
     return forecast;
 }
 
-Forecast forecast(const Simulation& simulation, const Machine& machine) {
-    const partition::Communicator& comm = simulation.comm();
-    const PartLoad load = load_of(simulation.dynamics(), simulation.coat());
-    const Range here = peaks(simulation.scene(), load, {machine.ranks, comm.is_root(), machine.process_bytes});
+Forecast forecast(const partition::Communicator& comm, const scene::Scene& scene, const scene::CertifiedStep& certified,
+                  const dynamics::Dynamics& dynamics, const surface::Coat& coat, const Machine& machine) {
+    const RankCounts counts = count_rank(dynamics, coat);
+    const Range here = peaks(scene, counts, {machine.ranks, comm.is_root(), machine.process_bytes});
     return {true,
             {comm.max(here.intact), comm.max(here.broken)},
-            exchange_of(comm.sum(load.messages), comm.sum(load.sent_unions), comm.sum(load.sent)),
-            forecast_output(simulation.scene(), simulation.certified())};
+            exchange_of(comm.sum(counts.messages), comm.sum(counts.sent_unions), comm.sum(counts.sent)),
+            forecast_output(scene, certified)};
 }
 
 void check_memory(const scene::Scene& scene, const Forecast& forecast, const Machine& machine) {

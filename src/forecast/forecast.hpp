@@ -5,11 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "partition/communicator.hpp"
 #include "forecast/output_forecast.hpp"
 #include "forecast/rank_counts.hpp"
+#include "partition/communicator.hpp"
 #include "scene/problem.hpp"
-#include "simulation/simulation.hpp"
 
 namespace cracksim::forecast {
 
@@ -25,7 +24,7 @@ struct Machine {
 };
 
 /// Collective.
-[[nodiscard]] Machine look_around(const partition::Communicator& comm);
+[[nodiscard]] Machine survey_machine(const partition::Communicator& comm);
 
 /// What a run takes.
 struct Forecast {
@@ -38,7 +37,9 @@ struct Forecast {
 /// From the scene alone, in no time.
 [[nodiscard]] Forecast estimate(const scene::Scene& scene, const scene::CertifiedStep& certified, const Machine& machine);
 /// With the parts as they are. Collective.
-[[nodiscard]] Forecast forecast(const Simulation& simulation, const Machine& machine);
+[[nodiscard]] Forecast forecast(const partition::Communicator& comm, const scene::Scene& scene,
+                                const scene::CertifiedStep& certified, const dynamics::Dynamics& dynamics,
+                                const surface::Coat& coat, const Machine& machine);
 
 /// Throws InputError if no machine at hand can hold its ranks even if nothing breaks: the system would kill the run.
 void check_memory(const scene::Scene& scene, const Forecast& forecast, const Machine& machine);

@@ -31,7 +31,7 @@ constexpr double metis_per_entity = 180;
 /// Per mass that is sent or received, beside what the exchange of motion keeps of it: ids, PetscSF's lists and buffers.
 constexpr double exchange_per_mass = 45;
 
-constexpr double duplets = physics::Network::duplets_per_interface;
+constexpr double duplets = physics::Network::duplets_per_face;
 
 double number(std::int64_t n) { return static_cast<double>(n); }
 double between(const Range& range, double opened) {
@@ -42,7 +42,7 @@ double number_bytes(const scene::Time& time) {
     return time.precision == physics::Precision::binary32 ? sizeof(float) : sizeof(double);
 }
 
-double masses(const PartLoad& load) { return Hexahedron::corners * number(load.local); }
+double masses(const RankCounts& counts) { return Hexahedron::corners * number(counts.local); }
 
 /// A factor does not change an infinite threshold.
 bool has_one_threshold(const scene::Sensors& sensors) {
@@ -50,70 +50,70 @@ bool has_one_threshold(const scene::Sensors& sensors) {
 }
 
 /// But for the lattice, which is in state_bytes.
-double network_bytes(const PartLoad& load, bool one_threshold) {
+double network_bytes(const RankCounts& counts, bool one_threshold) {
     constexpr double per_entity = sizeof(EntityId) + sizeof(std::uint8_t) + Hexahedron::faces * sizeof(std::int32_t);
     const double thresholds = one_threshold ? 0 : duplets * sizeof(double);
-    const double per_interface = sizeof(physics::Interface) + thresholds + sizeof(std::uint8_t);
-    return number(load.local) * per_entity + number(load.interfaces) * per_interface +
-           number(load.received) * (sizeof(LocalMass) + sizeof(std::size_t) + sizeof(physics::ReceivedUnions::Entry));
+    const double per_face = sizeof(physics::InteriorFace) + thresholds + sizeof(std::uint8_t);
+    return number(counts.local) * per_entity + number(counts.interior_faces) * per_face +
+           number(counts.received) * (sizeof(LocalMass) + sizeof(std::size_t) + sizeof(physics::ReceivedUnions::Entry));
 }
 
 /// What grows with the splits is given an eighth of room; on average half of that is left.
 constexpr double with_room = 1 + 1.0 / 16;
 
-/// Rows with their void places; the base plane has a place for every vertex.
-double state_bytes(const PartLoad& load, const scene::Time& time) {
+/// Rows with their void places; the base layer has a place for every vertex.
+double state_bytes(const RankCounts& counts, const scene::Time& time) {
     constexpr double lanes = physics::Lattice::lanes;
     constexpr double per_entity = Hexahedron::corners * sizeof(std::uint8_t) + sizeof(std::int32_t);
-    constexpr double limits = physics::HexahedronPairs::edges * lanes * sizeof(physics::UpperHalf);
-    constexpr double per_batch = physics::Merging::bytes_per_batch + limits + sizeof(physics::EdgeBits) +
+    constexpr double limits = physics::HexahedronPairs::edges * lanes * sizeof(physics::Bfloat16);
+    constexpr double per_batch = physics::SharedEdges::bytes_per_batch + limits + sizeof(physics::EdgeBits) +
                                  2 * (sizeof(std::uint32_t) + sizeof(std::int32_t)) + sizeof(std::int32_t);
     constexpr double per_site = sizeof(LocalEntity) + per_batch / lanes;
     constexpr double per_vertex = sizeof(std::uint8_t) + sizeof(physics::Sensing::Revision) + sizeof(std::int32_t) +
                                   2 * sizeof(std::int32_t) / lanes;
     const double components = time.scheme == physics::Scheme::ab2 ? 13 : 10;
-    return number(load.local) * per_entity + number(load.sites) * per_site +
-           number(load.vertex_sites) * (per_vertex + components * number_bytes(time)) + number(load.interfaces);
+    return number(counts.local) * per_entity + number(counts.sites) * per_site +
+           number(counts.vertex_sites) * (per_vertex + components * number_bytes(time)) + number(counts.interior_faces);
 }
 
-/// Motions of unions off the base plane.
-double pooled_motion_bytes(const PartLoad& load, const scene::Time& time, double opened) {
+/// Motions of unions off the base layer.
+double pooled_motion_bytes(const RankCounts& counts, const scene::Time& time, double opened) {
     const double components = physics::Pooled::together * (time.scheme == physics::Scheme::ab2 ? 4 : 3);
-    const double unions = masses(load) * (physics::planes - 1) / physics::planes;
+    const double unions = masses(counts) * (physics::layers - 1) / physics::layers;
     return opened * unions * with_room * (components * number_bytes(time) + sizeof(physics::PoolPlace));
 }
 
 /// The same, and what finds them.
-double pool_bytes(const PartLoad& load, const scene::Time& time, double opened) {
-    constexpr double per_vertex = with_room * physics::planes * sizeof(physics::PoolPlace);
+double pool_bytes(const RankCounts& counts, const scene::Time& time, double opened) {
+    constexpr double per_vertex = with_room * physics::layers * sizeof(physics::PoolPlace);
     constexpr double per_site = with_room * sizeof(physics::PooledCorners) / physics::Lattice::half;
-    const double lists = number(load.vertex_sites) * per_vertex + number(load.sites) * per_site;
-    return pooled_motion_bytes(load, time, opened) + opened * lists;
+    const double lists = number(counts.vertex_sites) * per_vertex + number(counts.sites) * per_site;
+    return pooled_motion_bytes(counts, time, opened) + opened * lists;
 }
 
 /// While all that opens does so at once: the sensors over its edges, and the pool twice as it is put in order.
-double breaking_bytes(const PartLoad& load, const scene::Time& time, double opened) {
-    return opened * number(load.interfaces) * with_room * physics::Sensors::bytes_per_interface() +
-           pooled_motion_bytes(load, time, opened);
+double breaking_bytes(const RankCounts& counts, const scene::Time& time, double opened) {
+    return opened * number(counts.interior_faces) * with_room * physics::Sensors::bytes_per_face() +
+           pooled_motion_bytes(counts, time, opened);
 }
 
-/// Links, masks, unions by mass, the search for what came off, twice a tree and pieces, and the free faces with what finds them.
-double coat_bytes(const PartLoad& load, double opened) {
+/// Links, masks, unions by mass, the search for what came off, twice a tree and trees, and the free faces with what finds them.
+double coat_bytes(const RankCounts& counts, double opened) {
     constexpr double search = sizeof(LocalEntity) + sizeof(std::int32_t);
     constexpr double per_entity = Hexahedron::faces * sizeof(topology::FaceLink) + sizeof(std::uint8_t) +
                                   Hexahedron::corners * sizeof(LocalMass) + search +
-                                  2 * (sizeof(LocalEntity) + sizeof(topology::Piece)) + sizeof(std::int32_t) +
+                                  2 * (sizeof(LocalEntity) + sizeof(topology::Tree)) + sizeof(std::int32_t) +
                                   sizeof(std::uint8_t);
-    const double free_faces = number(load.boundary_faces) + 2 * opened * number(load.interfaces);
-    return number(load.local) * per_entity + free_faces * (sizeof(surface::LocalSurface::Face) + sizeof(std::int32_t));
+    const double free_faces = number(counts.boundary_faces) + 2 * opened * number(counts.interior_faces);
+    return number(counts.local) * per_entity + free_faces * (sizeof(surface::LocalSurface::Face) + sizeof(std::int32_t));
 }
 
-double distribution_bytes(const PartLoad& load) {
+double distribution_bytes(const RankCounts& counts) {
     constexpr double per_entity = sizeof(EntityId) + sizeof(Rank) + sizeof(std::uint8_t);
     constexpr double per_mass =
         exchange_per_mass + dynamics::MotionExchange::longest_per_mass + physics::ListedUnions::bytes_per_mass;
-    return number(load.local) * per_entity + number(load.received + load.sent) * per_mass +
-           number(load.received) * sizeof(Vec3);
+    return number(counts.local) * per_entity + number(counts.received + counts.sent) * per_mass +
+           number(counts.received) * sizeof(Vec3);
 }
 
 /// Before the rank has anything else: the owner of every entity of the block, a mark for each, and on the root what METIS takes.
@@ -130,7 +130,7 @@ struct Share {
     double filed;
 };
 
-Share share_of(const scene::Scene& scene, const SeriesForecast& series, const PartLoad& load, int ranks, double opened) {
+Share share_of(const scene::Scene& scene, const SeriesForecast& series, const RankCounts& counts, int ranks, double opened) {
     const Block& block = scene.block;
     const double all = number(block.entity_count());
     const double boundary = Hexahedron::faces * all - 2 * number(block.interior_face_count());
@@ -139,11 +139,11 @@ Share share_of(const scene::Scene& scene, const SeriesForecast& series, const Pa
     const double inside = opened * number(series.faces.broken - series.faces.intact);
     if (!begins_as_boundary) {
         const double cells = number(series.faces.intact) + inside;
-        return {cells * number(load.owned) / all, cells / ranks};
+        return {cells * number(counts.owned) / all, cells / ranks};
     }
     const double lower = number(block.cells()[0] * block.cells()[1]);
     const double first = ranks == 1 ? boundary : std::min(lower, all / ranks) + (boundary - 2 * lower) / ranks;
-    return {number(load.boundary_faces) + inside * number(load.owned) / all, first + inside / ranks};
+    return {number(counts.boundary_faces) + inside * number(counts.owned) / all, first + inside / ranks};
 }
 
 /// The busiest moment of the assembly of a mesh: records of points (or cells) as made, sorted out by rank and joined for the
@@ -171,7 +171,7 @@ bool is_kept(const SeriesForecast& series, double cells) {
 /// Of a surface that is kept from frame to frame: points and what is told, as lists and packed; on the root what all have told, in the
 /// same way, and the whole of it with its keys, its order and the part that is the crack.
 double keeping_bytes(const SeriesForecast& series, const RankSetting& setting, double made, double opened) {
-    constexpr double cell_told = sizeof(surface::SurfaceNews::Face) + sizeof(EntityId);
+    constexpr double cell_told = sizeof(surface::SurfaceUpdate::Face) + sizeof(EntityId);
     constexpr double point_told = sizeof(MassId) + sizeof(Vec3);
     constexpr double cell_kept = sizeof(std::int64_t) + sizeof(std::int32_t);
     const double cells = between(series.faces, opened);
@@ -185,12 +185,12 @@ double keeping_bytes(const SeriesForecast& series, const RankSetting& setting, d
 }
 
 /// The series that takes most.
-double frame_bytes(const scene::Scene& scene, const PartLoad& load, const RankSetting& setting, double opened) {
+double frame_bytes(const scene::Scene& scene, const RankCounts& counts, const RankSetting& setting, double opened) {
     double most = 0;
     for (const SeriesForecast& series : forecast_series(scene)) {
         const double cells = between(series.faces, opened);
         const double frame = between(series.frame_bytes, opened);
-        const Share share = share_of(scene, series, load, setting.ranks, opened);
+        const Share share = share_of(scene, series, counts, setting.ranks, opened);
         const double taken = is_kept(series, cells) ? keeping_bytes(series, setting, share.made, opened)
                                                     : std::max(assembly_bytes(share, number(series.cells.corners())),
                                                                gathering_bytes(series, setting, cells, frame));
@@ -200,35 +200,35 @@ double frame_bytes(const scene::Scene& scene, const PartLoad& load, const RankSe
 }
 
 /// The events of a coat: as told by the rank, and on the root all of them gathered, sorted, and as columns of the file.
-double event_bytes(const scene::Scene& scene, const PartLoad& load, const RankSetting& setting, double opened) {
+double event_bytes(const scene::Scene& scene, const RankCounts& counts, const RankSetting& setting, double opened) {
     constexpr double event = sizeof(physics::DupletEvent);
     constexpr double part = 3 * sizeof(std::int64_t);
     constexpr double stream = sizeof(std::size_t) + sizeof(LocalMass);
-    const auto held = [&](double entities, double interfaces, double copies) {
+    const auto held = [&](double entities, double interior_faces, double copies) {
         const double each_mass = Hexahedron::corners * entities * (part + sizeof(MassId));
-        return copies * (interfaces * duplets * event + each_mass);
+        return copies * (interior_faces * duplets * event + each_mass);
     };
-    const double here = held(number(load.owned), number(load.interfaces), 1) + masses(load) * stream;
+    const double here = held(number(counts.owned), number(counts.interior_faces), 1) + masses(counts) * stream;
     constexpr double columns = 4 * sizeof(std::int64_t);
-    const double all_interfaces = number(scene.block.interior_face_count());
+    const double all_interior_faces = number(scene.block.interior_face_count());
     const double on_root =
-        held(number(scene.block.entity_count()), all_interfaces, 2) + all_interfaces * duplets * columns;
+        held(number(scene.block.entity_count()), all_interior_faces, 2) + all_interior_faces * duplets * columns;
     return opened * (here + (setting.is_root ? on_root : 0));
 }
 
 }  // namespace
 
-double model_bytes(const scene::Scene& scene, const PartLoad& load, double opened) {
-    return network_bytes(load, has_one_threshold(scene.sensors)) + state_bytes(load, scene.time) +
-           pool_bytes(load, scene.time, opened) + coat_bytes(load, opened);
+double model_bytes(const scene::Scene& scene, const RankCounts& counts, double opened) {
+    return network_bytes(counts, has_one_threshold(scene.sensors)) + state_bytes(counts, scene.time) +
+           pool_bytes(counts, scene.time, opened) + coat_bytes(counts, opened);
 }
 
-std::int64_t peak_bytes(const scene::Scene& scene, const PartLoad& load, const RankSetting& setting, double opened) {
-    const double model = model_bytes(scene, load, opened) + distribution_bytes(load);
+std::int64_t peak_bytes(const scene::Scene& scene, const RankCounts& counts, const RankSetting& setting, double opened) {
+    const double model = model_bytes(scene, counts, opened) + distribution_bytes(counts);
     // Events and frames add up: SuperLU_DIST, which comes with PETSc, sets the allocator to give nothing back to the system, and the
-    // pieces that a coat leaves are too small for a frame.
-    const double running = model + breaking_bytes(load, scene.time, opened) +
-                           event_bytes(scene, load, setting, opened) + frame_bytes(scene, load, setting, opened);
+    // trees that a coat leaves are too small for a frame.
+    const double running = model + breaking_bytes(counts, scene.time, opened) +
+                           event_bytes(scene, counts, setting, opened) + frame_bytes(scene, counts, setting, opened);
     const double phases = libraries_in_use + std::max(partition_bytes(scene, setting), running);
     return setting.process_bytes + std::llround(std::max(phases, between(least_in_use, opened)));
 }

@@ -16,12 +16,12 @@ struct RankSetting {
     std::int64_t process_bytes{0};  ///< that the process held before the block was built
 };
 
-/// Bytes of the network, the state and the map of a rank when this share of its interfaces, 0 to 1, has opened.
-[[nodiscard]] double model_bytes(const scene::Scene& scene, const PartLoad& load, double opened);
+/// Bytes of the network, the state and the map of a rank when this share of its interior faces, 0 to 1, has opened.
+[[nodiscard]] double model_bytes(const scene::Scene& scene, const RankCounts& counts, double opened);
 
-/// The most that a rank holds during a run in which this share of all interfaces opens at once, bytes: the process with its libraries,
+/// The most that a rank holds during a run in which this share of all interior faces opens at once, bytes: the process with its libraries,
 /// the model, and what events and frames take on top of it for a while; or the partition, if that takes more.
-[[nodiscard]] std::int64_t peak_bytes(const scene::Scene& scene, const PartLoad& load, const RankSetting& setting,
+[[nodiscard]] std::int64_t peak_bytes(const scene::Scene& scene, const RankCounts& counts, const RankSetting& setting,
                                       double opened);
 
 }  // namespace cracksim::forecast

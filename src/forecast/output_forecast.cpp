@@ -33,7 +33,7 @@ std::int64_t frame_bytes(const io::CellLayout& cells, std::int64_t faces, std::i
     return faces == 0 ? 0 : io::vtkhdf_bytes({{.file = {}, .faces = faces, .points = points}, cells});
 }
 
-/// An interface that opens where a crack runs on has two faces, and two points on them that no picture had.
+/// An interior face that opens where a crack runs on has two faces, and two points on them that no picture had.
 SeriesForecast series(std::string name, const surface::MeshLayout& layout, Range faces, Range points) {
     const io::CellLayout cells = cells_of(layout);
     const Range bytes{frame_bytes(cells, faces.intact, points.intact), frame_bytes(cells, faces.broken, points.broken)};
@@ -143,7 +143,7 @@ OutputForecast forecast_output(const scene::Scene& scene, const scene::Certified
     forecast.series = forecast_series(scene);
 
     for (const SeriesForecast& one : forecast.series) {
-        forecast.per_interface += one.per_interface;
+        forecast.per_face += one.per_face;
     }
     const std::int64_t duplets = scene::scene_counts(scene).duplets;
     const std::int64_t masses = scene.block.mass_count();

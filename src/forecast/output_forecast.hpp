@@ -10,7 +10,7 @@
 
 namespace cracksim::forecast {
 
-/// The two ends between which a run lies: nothing breaks, or every interface opens in the first step.
+/// The two ends between which a run lies: nothing breaks, or every interior face opens in the first step.
 struct Range {
     std::int64_t intact{0};
     std::int64_t broken{0};
@@ -23,7 +23,7 @@ struct SeriesForecast {
     Range faces;                 ///< cells of one frame
     Range points;                ///< of one frame
     Range frame_bytes;           ///< 0 for a frame without cells, which is not written
-    std::int64_t per_interface;  ///< bytes that an opened interface adds to each frame
+    std::int64_t per_face;  ///< bytes that an opened interior face adds to each frame
 };
 
 /// What a run writes and when. Numbers of times are exact.
@@ -33,7 +33,7 @@ struct OutputForecast {
     std::int64_t history_rows{0};
     std::vector<SeriesForecast> series;
     Range bytes;                    ///< of all files of DIR at the end
-    std::int64_t per_interface{0};  ///< bytes, for each interface that opens, in each later frame
+    std::int64_t per_face{0};  ///< bytes, for each interior face that opens, in each later frame
 };
 
 /// The series that a scene writes.

@@ -53,7 +53,7 @@ double padded(double cells) {
 
 /// Along an axis n cells have 2n ends, which are the places of masses. Of n owned cells with a halo cell on h sides all the ends
 /// but the h outer ones meet a vertex of an owned cell: they belong to touched unions.
-PartLoad load_of_box(const Box& box, double roughness) {
+RankCounts counts_of_box(const Box& box, double roughness) {
     const auto with_halo = [](double n, double h) { return n + h; };
     const auto owned_cells = [](double n, double) { return n; };
     const double owned = over_axes(box, owned_cells);
@@ -61,25 +61,25 @@ PartLoad load_of_box(const Box& box, double roughness) {
     const double local = owned + roughness * (box_local - owned);
     const double box_received = over_axes(box, [](double n, double h) { return 2 * (n + h); }) -
                                 over_axes(box, [](double n, double h) { return 2 * n + h; });
-    PartLoad load;
-    load.owned = whole(owned);
-    load.local = whole(local);
+    RankCounts counts;
+    counts.owned = whole(owned);
+    counts.local = whole(local);
     const auto [along, width, height] =
         std::array{with_halo(box.cells[0], box.open_sides(0)), with_halo(box.cells[1], box.open_sides(1)),
                    with_halo(box.cells[2], box.open_sides(2))};
-    load.sites = whole(local / box_local * padded(along) * width * height);
-    load.vertex_sites = whole(local / box_local * padded(along) * (width + 1) * (height + 1));
-    load.interfaces = whole(local / box_local *
+    counts.sites = whole(local / box_local * padded(along) * width * height);
+    counts.vertex_sites = whole(local / box_local * padded(along) * (width + 1) * (height + 1));
+    counts.interior_faces = whole(local / box_local *
                             by_axis(
                                 box, [](double n, double h) { return n + h - 1; }, with_halo));
-    load.received = whole(roughness * box_received);
-    load.sent = load.received;
-    load.sent_unions = whole(roughness * (over_axes(box, [](double n, double h) { return n + h + 1; }) -
+    counts.received = whole(roughness * box_received);
+    counts.sent = counts.received;
+    counts.sent_unions = whole(roughness * (over_axes(box, [](double n, double h) { return n + h + 1; }) -
                                           over_axes(box, [](double n, double) { return n + 1; })));
-    load.messages = whole(over_axes(box, [](double, double h) { return 1 + h; })) - 1;
-    load.boundary_faces = whole(by_axis(
+    counts.messages = whole(over_axes(box, [](double, double h) { return 1 + h; })) - 1;
+    counts.boundary_faces = whole(by_axis(
         box, [](double, double h) { return 2 - h; }, owned_cells));
-    return load;
+    return counts;
 }
 
 void divide(const Box& box, int ranks, bool along_z_only, std::vector<Box>& parts) {
@@ -102,66 +102,66 @@ void divide(const Box& box, int ranks, bool along_z_only, std::vector<Box>& part
 
 /// Each entity is anywhere: a rank has none of the 8 entities around a vertex, or of the 27 around an entity, with the probability
 /// that each of them is elsewhere.
-PartLoad load_at_random(const Block& block, int ranks) {
+RankCounts counts_at_random(const Block& block, int ranks) {
     const double elsewhere = 1 - 1.0 / ranks;
     const double local = static_cast<double>(block.entity_count()) * (1 - std::pow(elsewhere, 27));
     const double touched = 1 - std::pow(elsewhere, 8);
-    PartLoad load;
-    load.owned = block.entity_count() / ranks;
-    load.local = whole(local);
+    RankCounts counts;
+    counts.owned = block.entity_count() / ranks;
+    counts.local = whole(local);
     const auto [nx, ny, nz] = block.cells();
-    load.sites = whole(padded(static_cast<double>(nx))) * ny * nz;
-    load.vertex_sites = whole(padded(static_cast<double>(nx))) * (ny + 1) * (nz + 1);
-    load.interfaces = block.interior_face_count();
-    load.received = whole((1 - touched) * Hexahedron::corners * local);
-    load.sent = load.received;
+    counts.sites = whole(padded(static_cast<double>(nx))) * ny * nz;
+    counts.vertex_sites = whole(padded(static_cast<double>(nx))) * (ny + 1) * (nz + 1);
+    counts.interior_faces = block.interior_face_count();
+    counts.received = whole((1 - touched) * Hexahedron::corners * local);
+    counts.sent = counts.received;
     // Beside a vertex without own entities, another is local if the 19 others around it are not all elsewhere.
     const double local_there = Hexahedron::corners * (1 - std::pow(elsewhere, 19));
     const double others = ranks - 1;
     const double owners_there = others * (1 - std::pow(1 - 1 / others, local_there));
-    load.sent_unions = whole((1 - touched) * static_cast<double>(block.vertex_count()) * owners_there);
-    load.messages = ranks - 1;
-    load.boundary_faces = (Hexahedron::faces * block.entity_count() - 2 * block.interior_face_count()) / ranks;
-    return load;
+    counts.sent_unions = whole((1 - touched) * static_cast<double>(block.vertex_count()) * owners_there);
+    counts.messages = ranks - 1;
+    counts.boundary_faces = (Hexahedron::faces * block.entity_count() - 2 * block.interior_face_count()) / ranks;
+    return counts;
 }
 
 }  // namespace
 
-PartLoad load_of(const dynamics::Dynamics& dynamics, const surface::Coat& coat) {
+RankCounts count_rank(const dynamics::Dynamics& dynamics, const surface::Coat& coat) {
     const physics::Network& network = dynamics.network();
-    PartLoad load;
-    load.owned = dynamics.decomposition().owned_count();
-    load.local = network.entity_count();
+    RankCounts counts;
+    counts.owned = dynamics.decomposition().owned_count();
+    counts.local = network.entity_count();
     const physics::Lattice& lattice = dynamics.state().lattice();
-    load.sites = static_cast<std::int64_t>(lattice.batches()) * physics::Lattice::lanes;
-    load.vertex_sites = static_cast<std::int64_t>(lattice.vertex_sites());
-    load.interfaces = static_cast<std::int64_t>(network.interfaces().size());
-    load.received = static_cast<std::int64_t>(network.received().size());
-    load.sent = dynamics.exchange().plan().values_sent();
-    load.sent_unions = dynamics.exchange().unions_sent_at_start();
-    load.messages = static_cast<std::int64_t>(dynamics.exchange().plan().targets().size());
+    counts.sites = static_cast<std::int64_t>(lattice.batches()) * physics::Lattice::lanes;
+    counts.vertex_sites = static_cast<std::int64_t>(lattice.vertex_sites());
+    counts.interior_faces = static_cast<std::int64_t>(network.interior_faces().size());
+    counts.received = static_cast<std::int64_t>(network.received().size());
+    counts.sent = dynamics.exchange().plan().values_sent();
+    counts.sent_unions = dynamics.exchange().unions_sent_at_start();
+    counts.messages = static_cast<std::int64_t>(dynamics.exchange().plan().targets().size());
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
         for (int face = 0; network.owned(e) && face < Hexahedron::faces; ++face) {
-            load.boundary_faces += coat.map().link(e, face).is_boundary() ? 1 : 0;
+            counts.boundary_faces += coat.map().link(e, face).is_boundary() ? 1 : 0;
         }
     }
-    return load;
+    return counts;
 }
 
-std::vector<PartLoad> estimated_loads(const Block& block, scene::PartitionKind kind, int ranks) {
+std::vector<RankCounts> estimated_rank_counts(const Block& block, scene::PartitionKind kind, int ranks) {
     const auto [nx, ny, nz] = block.cells();
-    std::vector<PartLoad> loads;
+    std::vector<RankCounts> counts;
     if (kind == scene::PartitionKind::random && ranks > 1) {
-        loads.assign(static_cast<std::size_t>(ranks), load_at_random(block, ranks));
-        return loads;
+        counts.assign(static_cast<std::size_t>(ranks), counts_at_random(block, ranks));
+        return counts;
     }
     std::vector<Box> parts;
     divide({{static_cast<double>(nx), static_cast<double>(ny), static_cast<double>(nz)}}, ranks,
            kind == scene::PartitionKind::slab, parts);
     for (const Box& part : parts) {
-        loads.push_back(load_of_box(part, kind == scene::PartitionKind::metis ? metis_roughness : 1.0));
+        counts.push_back(counts_of_box(part, kind == scene::PartitionKind::metis ? metis_roughness : 1.0));
     }
-    return loads;
+    return counts;
 }
 
 }  // namespace cracksim::forecast

@@ -50,7 +50,7 @@ void refuse_above_limit(std::int64_t entities_of_a_rank) {
 /// The places of a block's vertices in rows along x are numbered, with all their planes, in 32 bits on each rank.
 void refuse_long_rows(const Block& block, int ranks) {
     // The largest part may be a quarter above the mean.
-    constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max() / physics::planes * std::int64_t{4} / 5;
+    constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max() / physics::layers * std::int64_t{4} / 5;
     const auto [nx, ny, nz] = block.cells();
     const std::int64_t padded = (nx / physics::Lattice::lanes + 1) * physics::Lattice::lanes;
     if (padded * (ny + 1) * (nz + 1) / ranks > most) {
@@ -96,8 +96,8 @@ std::optional<std::string> finding(const physics::Network& network, const Scene&
 }  // namespace
 
 physics::EntityModel entity_model(const Scene& scene) {
-    const auto elasticity = [](const Interaction& i) { return physics::Elasticity{i.stiffness, i.viscosity}; };
-    return {scene.block.edge(), scene.network.mass, elasticity(scene.network.edge), elasticity(scene.network.diagonal)};
+    const auto interaction = [](const Interaction& i) { return physics::KelvinVoigt{i.stiffness, i.viscosity}; };
+    return {scene.block.edge(), scene.network.mass, interaction(scene.network.edge), interaction(scene.network.diagonal)};
 }
 
 CertifiedStep certify_step(const Scene& scene) {
@@ -155,7 +155,7 @@ io::Summary::Counts scene_counts(const Scene& scene) {
             block.entity_count() * physics::HexahedronPairs::count,
             scene.duplets == physics::Duplets::tree
                 ? block.mass_count() - block.vertex_count()
-                : block.interior_face_count() * physics::Network::duplets_per_interface,
+                : block.interior_face_count() * physics::Network::duplets_per_face,
             block.vertex_count(),
             block.entity_count() * Hexahedron::faces * darts_per_face,
             block.interior_face_count()};

@@ -80,7 +80,7 @@ void check_unbuilt(const scene::Scene& scene, int ranks) {
 }
 
 /// A run whose end is to be told.
-struct Ending {
+struct FinishedRun {
     const partition::Communicator& comm;
     const Simulation& simulation;
     const forecast::Forecast& forecast;
@@ -94,7 +94,7 @@ struct Ending {
 };
 
 /// What could not be written is told beside why the run is invalid, which the summary says in any case.
-void leave_invalid(const Ending& ending, const InvalidRun& invalid, io::Log& log) {
+void report_invalid(const FinishedRun& ending, const InvalidRun& invalid, io::Log& log) {
     try {
         ending.files.finish();
     } catch (const SharedError& error) {
@@ -116,7 +116,7 @@ void if_possible(const std::function<void()>& action) {
     }
 }
 
-void leave_stopped(const Ending& ending, const SharedError& error) {
+void report_stopped(const FinishedRun& ending, const SharedError& error) {
     io::Summary summary = ending.summary();
     summary.status = io::Status::stopped;
     summary.error = error.what();
@@ -129,17 +129,17 @@ int run_with_files(const partition::Communicator& comm, Simulation& simulation, 
                    const io::RunDirectory& directory, io::Log& log, ProgressStyle style) {
     Progress progress{log, style};
     RunFiles files{simulation, directory, progress};
-    const Ending ending{comm, simulation, forecast, directory.file("summary.json"), files};
+    const FinishedRun ending{comm, simulation, forecast, directory.file("summary.json"), files};
     try {
         simulation.run(files);
         files.finish();
     } catch (const InvalidRun& invalid) {
         log.error(invalid.what());
-        leave_invalid(ending, invalid, log);
+        report_invalid(ending, invalid, log);
         throw;
     } catch (const SharedError& error) {
         log.error(error.what());
-        leave_stopped(ending, error);
+        report_stopped(ending, error);
         return 1;
     }
     const io::Summary summary = ending.summary();
@@ -153,7 +153,7 @@ int follow(const partition::Communicator& comm, const CommandLine& command, io::
     const std::int64_t best = physics::best_simd_target();
     physics::limit_simd_target(comm.min(std::min(best, command.simd_target.value_or(best))));
     dynamics::Stopwatch stopwatch;
-    const forecast::Machine machine = forecast::look_around(comm);
+    const forecast::Machine machine = forecast::survey_machine(comm);
     const io::RunDirectory directory{command.directory()};
     const scene::Scene scene = scene::read_scene(read_input(comm, command.input), command.input.string(), command.settings);
     directory.check(comm);
@@ -176,7 +176,8 @@ int follow(const partition::Communicator& comm, const CommandLine& command, io::
     if (command.audit) {
         simulation->enable_audit();
     }
-    const forecast::Forecast found = forecast(*simulation, machine);
+    const forecast::Forecast found = forecast::forecast(
+        comm, scene, simulation->certified(), simulation->dynamics(), simulation->coat(), machine);
     if (command.dry_run) {
         announce(log, command, scene, certified, comm.size(), found);
         tell(log, dry_run_lines(found, true));

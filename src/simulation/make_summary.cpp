@@ -112,7 +112,7 @@ io::Summary summarize(const Simulation& simulation, const forecast::Forecast& fo
     summary.forecast = {forecast.memory_per_rank.intact,   forecast.memory_per_rank.broken,
                         forecast.exchange_per_step.intact, forecast.exchange_per_step.broken,
                         forecast.output.bytes.intact,      forecast.output.bytes.broken,
-                        forecast.output.per_interface};
+                        forecast.output.per_face};
     summary.frames = std::move(frames);
     return summary;
 }

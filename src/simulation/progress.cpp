@@ -1,9 +1,9 @@
 #include "simulation/progress.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstdio>
 
+#include "core/text.hpp"
 #include "io/memory.hpp"
 
 namespace cracksim::simulation {
@@ -23,25 +23,6 @@ std::string formatted(const char* format, Values... values) {
 double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
 }  // namespace
-
-std::string bytes_text(double bytes) {
-    if (bytes < 1e6) {
-        return formatted("%.0f kB", bytes / 1e3);
-    }
-    if (bytes < 1e12) {
-        return bytes < 1e9 ? formatted("%.0f MB", bytes / 1e6) : formatted("%.1f GB", bytes / 1e9);
-    }
-    return formatted("%.1f TB", bytes / 1e12);
-}
-
-std::string duration_text(double s) {
-    if (s < 100) {
-        return formatted(s < 9.95 ? "%.1f s" : "%.0f s", s);
-    }
-    const auto whole = static_cast<long>(std::lround(s));
-    return whole < 6000 ? formatted("%ld min %ld s", whole / 60, whole % 60)
-                        : formatted("%ld h %ld min", whole / 3600, whole / 60 % 60);
-}
 
 Progress::Progress(io::Log& log, ProgressStyle style) : log_{&log}, style_{style} {}
 

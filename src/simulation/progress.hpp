@@ -28,9 +28,4 @@ private:
     std::int64_t last_step_{0};
 };
 
-/// "950 MB", "1.2 GB", "3.4 TB".
-[[nodiscard]] std::string bytes_text(double bytes);
-/// "12 s", "3 min 20 s", "2 h 5 min".
-[[nodiscard]] std::string duration_text(double seconds);
-
 }  // namespace cracksim::simulation

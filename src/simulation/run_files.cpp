@@ -31,7 +31,7 @@ io::SplitParts global_parts(const physics::Network& network, const physics::Spli
 }  // namespace
 
 RunFiles::RunFiles(const Simulation& simulation, const io::RunDirectory& directory, Progress& progress)
-    : events_{simulation.comm(), directory.file("events.hdf"), simulation.certified().step, &background_},
+    : events_{simulation.comm(), directory.file("events.hdf"), simulation.certified().step, &worker_},
       history_{simulation.comm(), directory.file("history.csv")},
       progress_{&progress},
       comm_{&simulation.comm()} {
@@ -46,7 +46,7 @@ RunFiles::RunFiles(const Simulation& simulation, const io::RunDirectory& directo
     add(output.masses, Picture::masses, "masses");
     add(output.topology, Picture::topology, "topology");
     if (output.surface || output.crack) {
-        surface_frames_.emplace(simulation.comm(), simulation.dynamics(), background_, writer(Picture::surface),
+        surface_frames_.emplace(simulation.comm(), simulation.dynamics(), worker_, writer(Picture::surface),
                                 writer(Picture::crack));
     }
 }
@@ -56,16 +56,16 @@ io::FrameWriter* RunFiles::writer(Picture picture) const {
     return found == series_.end() ? nullptr : found->writer.get();
 }
 
-void RunFiles::coat(const Simulation& simulation, const News& news) {
+void RunFiles::coat(const Simulation& simulation, const FractureEvents& update) {
     simulation.stopwatch().time(dynamics::Phase::output, [&] {
-        io::on_root(*comm_, [&] { background_.check(); });
-        events_.append(news.events, global_parts(simulation.dynamics().network(), news.splits));
+        io::on_root(*comm_, [&] { worker_.check(); });
+        events_.append(update.events, global_parts(simulation.dynamics().network(), update.splits));
     });
 }
 
 void RunFiles::frame(const Simulation& simulation) {
     if (surface_frames_) {
-        write_surface_beside_the_run(simulation);
+        write_surface_in_background(simulation);
     }
     for (const Series& series : series_) {
         const bool is_surface = series.picture == Picture::surface || series.picture == Picture::crack;
@@ -75,12 +75,12 @@ void RunFiles::frame(const Simulation& simulation) {
     }
 }
 
-void RunFiles::write_surface_beside_the_run(const Simulation& simulation) {
+void RunFiles::write_surface_in_background(const Simulation& simulation) {
     simulation.stopwatch().time(dynamics::Phase::geometry, [&] {
         if (surface_frames_->fits(simulation.coat())) {
             surface_frames_->write(simulation.dynamics(), simulation.coat());
         } else {
-            io::on_root(*comm_, [&] { background_.wait(); });
+            io::on_root(*comm_, [&] { worker_.wait(); });
             surface_frames_.reset();
         }
     });
@@ -100,7 +100,7 @@ void RunFiles::write_together(const Simulation& simulation, const Series& series
         return surface::surface_mesh(*comm_, dynamics, coat, evolution, surface::Faces::all_free);
     });
     simulation.stopwatch().time(dynamics::Phase::output, [&] {
-        io::on_root(*comm_, [&] { background_.wait(); });
+        io::on_root(*comm_, [&] { worker_.wait(); });
         series.writer->write(mesh, dynamics.state().step, dynamics.state().time());
     });
 }
@@ -127,14 +127,14 @@ void RunFiles::heartbeat(const Simulation& simulation) {
 }
 
 void RunFiles::finish() {
-    io::on_root(*comm_, [&] { background_.wait(); });
+    io::on_root(*comm_, [&] { worker_.wait(); });
     for (const Series& series : series_) {
         series.writer->finish_index();
     }
 }
 
 std::vector<io::FrameSeries> RunFiles::frames() {
-    background_.settle();
+    worker_.settle();
     std::vector<io::FrameSeries> all;
     for (const Series& series : series_) {
         all.push_back(series.writer->series());

@@ -23,7 +23,7 @@ public:
     /// Collective. All arguments must outlive this.
     RunFiles(const Simulation& simulation, const io::RunDirectory& directory, Progress& progress);
 
-    void coat(const Simulation& simulation, const News& news) override;
+    void coat(const Simulation& simulation, const FractureEvents& update) override;
     void frame(const Simulation& simulation) override;
     void history(const Simulation& simulation) override;
     /// Throws SharedError if the run was asked to stop.
@@ -42,7 +42,7 @@ private:
     };
 
     [[nodiscard]] io::FrameWriter* writer(Picture picture) const;
-    void write_surface_beside_the_run(const Simulation& simulation);
+    void write_surface_in_background(const Simulation& simulation);
     void write_together(const Simulation& simulation, const Series& series);
 
     io::EventWriter events_;
@@ -52,7 +52,7 @@ private:
     const partition::Communicator* comm_;
     partition::StopRequest stop_;
     std::optional<surface::SurfaceFrames> surface_frames_;  ///< until they become too large
-    io::Background background_;                    ///< the last member: its jobs use the others
+    io::Worker worker_;                    ///< the last member: its jobs use the others
 };
 
 }  // namespace cracksim::simulation

@@ -95,9 +95,9 @@ void Simulation::step_actions(Observer& observer, bool forced) {
 }
 
 void Simulation::modify_coat(Observer& observer) {
-    const News news{dynamics_.take_events(), dynamics_.take_splits()};
-    stopwatch_->time(dynamics::Phase::topology, [&] { coat_.modify(news.splits); });
-    observer.coat(*this, news);
+    const FractureEvents update{dynamics_.take_events(), dynamics_.take_splits()};
+    stopwatch_->time(dynamics::Phase::topology, [&] { coat_.modify(update.splits); });
+    observer.coat(*this, update);
 }
 
 void Simulation::bring_coat_up_to_date(Observer& observer) {
@@ -123,14 +123,14 @@ Totals Simulation::totals() const {
 
 void Simulation::check_motion(Observer& observer) {
     constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
-    const auto& breakdown = dynamics_.state().breakdown;
-    const std::int64_t step = comm_->min(breakdown ? breakdown->step : none);
+    const auto& failure = dynamics_.state().failure;
+    const std::int64_t step = comm_->min(failure ? failure->step : none);
     if (step == none) {
         return;
     }
-    const bool first_here = breakdown && breakdown->step == step;
-    const std::int64_t mass = comm_->min(first_here ? breakdown->mass.value() : none);
-    const bool finite = !comm_->any(first_here && breakdown->mass.value() == mass && !breakdown->finite);
+    const bool first_here = failure && failure->step == step;
+    const std::int64_t mass = comm_->min(first_here ? failure->mass.value() : none);
+    const bool finite = !comm_->any(first_here && failure->mass.value() == mass && !failure->finite);
     // What happened until here is told; the state itself, in which ranks need no longer agree, is not shown.
     modify_coat(observer);
     throw InvalidRun{"the run became invalid at step " + std::to_string(step) +

@@ -38,7 +38,7 @@ struct Totals {
 };
 
 /// What the physics has told since the last coat, as this rank reports it.
-struct News {
+struct FractureEvents {
     std::vector<physics::DupletEvent> events;
     physics::SplitStream splits;
 };
@@ -50,7 +50,7 @@ class Observer {
 public:
     virtual ~Observer() = default;
     /// After a modification of the map.
-    virtual void coat(const Simulation&, const News&) {}
+    virtual void coat(const Simulation&, const FractureEvents&) {}
     virtual void frame(const Simulation&) {}
     virtual void history(const Simulation&) {}
     /// Every few steps.

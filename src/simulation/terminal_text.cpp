@@ -19,7 +19,7 @@ std::string grouped(std::int64_t value) {
     return text;
 }
 
-std::string bytes_text(std::int64_t bytes) { return simulation::bytes_text(static_cast<double>(bytes)); }
+std::string bytes_text(std::int64_t bytes) { return cracksim::bytes_text(static_cast<double>(bytes)); }
 
 std::string range_text(const forecast::Range& range) {
     const std::string intact = bytes_text(range.intact);
@@ -72,9 +72,9 @@ std::vector<std::string> overview(const scene::Scene& scene, const scene::Certif
 
 std::vector<std::string> dry_run_lines(const forecast::Forecast& forecast, bool built) {
     std::vector<std::string> lines;
-    if (forecast.output.per_interface > 0) {
+    if (forecast.output.per_face > 0) {
         lines.push_back("output grows with the crack: each interface that opens adds " +
-                        grouped(forecast.output.per_interface) + " bytes to the frames of each later time");
+                        grouped(forecast.output.per_face) + " bytes to the frames of each later time");
     }
     if (!built) {
         lines.push_back("too large to be built by --dry-run: expressions were not evaluated" +

@@ -35,8 +35,8 @@ public:
 
     [[nodiscard]] const topology::GMap& map() const { return map_; }
     /// Label of an owned entity: the smallest entity of its component, or fragment.
-    [[nodiscard]] EntityId component(LocalEntity owned) const { return components_.label(owned); }
-    [[nodiscard]] EntityId fragment(LocalEntity owned) const { return fragments_.label(owned); }
+    [[nodiscard]] EntityId component(LocalEntity owned) const { return components_.id(owned); }
+    [[nodiscard]] EntityId fragment(LocalEntity owned) const { return fragments_.id(owned); }
     /// Time of the split that opened a face of an owned entity, s; -1 if it is sewn or on the original boundary.
     [[nodiscard]] double opened_at(LocalEntity e, int face) const { return surface_.opened_at(e, face); }
     [[nodiscard]] const LocalSurface& surface() const { return surface_; }
@@ -46,7 +46,7 @@ public:
     /// Numbers over all ranks after the last modification.
     [[nodiscard]] std::int64_t component_count() const { return components_.count(); }
     [[nodiscard]] std::int64_t fragment_count() const { return fragments_.count(); }
-    /// Rest area of the opened interfaces, each once, m2.
+    /// Rest area of the opened interior faces, each once, m2.
     [[nodiscard]] double crack_area() const;
     /// The largest fragments over all ranks, largest first, on the root; ties by id. Collective.
     [[nodiscard]] std::vector<geometry::LabelSize> largest_fragments(std::size_t count) const;
@@ -67,12 +67,12 @@ private:
     partition::Halo halo_;
     topology::GMap map_;
     geometry::SharedUnions unions_;
-    topology::PartingSearch search_;
-    Labels components_;
-    Labels fragments_;
+    topology::ReplacementEdgeSearch search_;
+    GlobalComponents components_;
+    GlobalComponents fragments_;
     LocalSurface surface_;
     std::int64_t fragments_version_{0};
-    std::array<std::int64_t, 3> opened_{};  ///< interfaces normal to each axis, over all ranks
+    std::array<std::int64_t, 3> opened_{};  ///< interior faces normal to each axis, over all ranks
 };
 
 }  // namespace cracksim::surface

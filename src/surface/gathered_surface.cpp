@@ -27,29 +27,29 @@ geometry::Mesh empty_mesh() {
 
 }  // namespace
 
-WholeSurface::WholeSurface(const Block& block, std::size_t ranks)
+GatheredSurface::GatheredSurface(const Block& block, std::size_t ranks)
     : block_{block}, orders_(ranks), surface_{empty_mesh()}, crack_{empty_mesh()} {}
 
-std::vector<double>& WholeSurface::reals(std::size_t field) {
+std::vector<double>& GatheredSurface::reals(std::size_t field) {
     return std::get<std::vector<double>>(surface_.fields[first_real + field].values);
 }
 
-std::vector<std::int64_t>& WholeSurface::integers(std::size_t field) {
+std::vector<std::int64_t>& GatheredSurface::integers(std::size_t field) {
     return std::get<std::vector<std::int64_t>>(surface_.fields[field].values);
 }
 
-void WholeSurface::take(std::span<const SurfaceNews> news) {
-    CRACKSIM_EXPECT(news.size() == orders_.size());
-    add_points(news);
-    add_faces(news);
-    move(news);
-    name_fragments(news);
+void GatheredSurface::take(std::span<const SurfaceUpdate> update) {
+    CRACKSIM_EXPECT(update.size() == orders_.size());
+    add_points(update);
+    add_faces(update);
+    move(update);
+    name_fragments(update);
     measure_openings();
 }
 
-void WholeSurface::add_points(std::span<const SurfaceNews> news) {
+void GatheredSurface::add_points(std::span<const SurfaceUpdate> update) {
     std::vector<MassId> added;
-    for (const SurfaceNews& rank : news) {
+    for (const SurfaceUpdate& rank : update) {
         added.insert(added.end(), rank.new_points.begin(), rank.new_points.end());
     }
     keep_new(added, point_keys_);
@@ -62,25 +62,25 @@ void WholeSurface::add_points(std::span<const SurfaceNews> news) {
             rename(order.point, moved);
         }
     }
-    for (std::size_t r = 0; r < news.size(); ++r) {
-        for (const MassId key : news[r].new_points) {
+    for (std::size_t r = 0; r < update.size(); ++r) {
+        for (const MassId key : update[r].new_points) {
             orders_[r].point.push_back(place_in(point_keys_, key));
         }
     }
 }
 
-void WholeSurface::add_faces(std::span<const SurfaceNews> news) {
+void GatheredSurface::add_faces(std::span<const SurfaceUpdate> update) {
     std::vector<std::int64_t> added;
-    for (const SurfaceNews& rank : news) {
-        for (const SurfaceNews::Face& face : rank.changed_faces) {
+    for (const SurfaceUpdate& rank : update) {
+        for (const SurfaceUpdate::Face& face : rank.changed_faces) {
             added.push_back(face.key);
         }
     }
     crack_is_old_ = crack_is_old_ || !added.empty();
     keep_new(added, face_keys_);
     make_room(merge(face_keys_, added));
-    for (std::size_t r = 0; r < news.size(); ++r) {
-        for (const SurfaceNews::Face& face : news[r].changed_faces) {
+    for (std::size_t r = 0; r < update.size(); ++r) {
+        for (const SurfaceUpdate::Face& face : update[r].changed_faces) {
             if (std::ranges::binary_search(added, face.key)) {
                 orders_[r].face.push_back(place_in(face_keys_, face.key));
                 set_met(face);
@@ -90,7 +90,7 @@ void WholeSurface::add_faces(std::span<const SurfaceNews> news) {
     }
 }
 
-void WholeSurface::make_room(const Places& moved) {
+void GatheredSurface::make_room(const Places& moved) {
     const std::size_t size = face_keys_.size();
     if (size == moved.size()) {
         return;
@@ -107,7 +107,7 @@ void WholeSurface::make_room(const Places& moved) {
     }
 }
 
-void WholeSurface::set_face(const SurfaceNews::Face& face) {
+void GatheredSurface::set_face(const SurfaceUpdate::Face& face) {
     const std::size_t place = place_of(face.key);
     integers(entity)[place] = face.key / Hexahedron::faces;
     reals(opened_at)[place] = face.opened_at;
@@ -116,35 +116,35 @@ void WholeSurface::set_face(const SurfaceNews::Face& face) {
     }
 }
 
-void WholeSurface::set_met(const SurfaceNews::Face& face) {
+void GatheredSurface::set_met(const SurfaceUpdate::Face& face) {
     const auto other =
         block_.neighbour(EntityId{face.key / Hexahedron::faces}, static_cast<int>(face.key % Hexahedron::faces));
     met_[place_of(face.key)] =
         other ? place_in(face_keys_, other->entity.value() * Hexahedron::faces + other->face) : -1;
 }
 
-std::size_t WholeSurface::place_of(std::int64_t face_key) const {
+std::size_t GatheredSurface::place_of(std::int64_t face_key) const {
     return static_cast<std::size_t>(place_in(face_keys_, face_key));
 }
 
-void WholeSurface::move(std::span<const SurfaceNews> news) {
+void GatheredSurface::move(std::span<const SurfaceUpdate> update) {
     surface_.points.resize(point_keys_.size());
-    for (std::size_t r = 0; r < news.size(); ++r) {
-        for (std::size_t i = 0; i < news[r].positions.size(); ++i) {
-            surface_.points[static_cast<std::size_t>(orders_[r].point[i])] = news[r].positions[i];
+    for (std::size_t r = 0; r < update.size(); ++r) {
+        for (std::size_t i = 0; i < update[r].positions.size(); ++i) {
+            surface_.points[static_cast<std::size_t>(orders_[r].point[i])] = update[r].positions[i];
         }
     }
 }
 
-void WholeSurface::name_fragments(std::span<const SurfaceNews> news) {
-    for (std::size_t r = 0; r < news.size(); ++r) {
-        for (std::size_t i = 0; i < news[r].fragments.size(); ++i) {
-            integers(fragment)[static_cast<std::size_t>(orders_[r].face[i])] = news[r].fragments[i].value();
+void GatheredSurface::name_fragments(std::span<const SurfaceUpdate> update) {
+    for (std::size_t r = 0; r < update.size(); ++r) {
+        for (std::size_t i = 0; i < update[r].fragments.size(); ++i) {
+            integers(fragment)[static_cast<std::size_t>(orders_[r].face[i])] = update[r].fragments[i].value();
         }
     }
 }
 
-void WholeSurface::find_crack() {
+void GatheredSurface::find_crack() {
     if (!std::exchange(crack_is_old_, false)) {
         return;
     }
@@ -157,7 +157,7 @@ void WholeSurface::find_crack() {
     number_crack_points();
 }
 
-void WholeSurface::number_crack_points() {
+void GatheredSurface::number_crack_points() {
     std::vector<std::int64_t> number(point_keys_.size(), -1);
     for (const std::int32_t f : crack_faces_) {
         for (std::size_t k = 0; k < corners; ++k) {
@@ -180,17 +180,17 @@ void WholeSurface::number_crack_points() {
     }
 }
 
-void WholeSurface::measure_openings() {
+void GatheredSurface::measure_openings() {
     find_crack();
     for (const std::int32_t face : crack_faces_) {
         if (const std::int32_t other = met_[static_cast<std::size_t>(face)]; face < other) {
-            measure_interface(face, other);
+            measure_opening(face, other);
         }
     }
 }
 
 // Distances are the same from both sides, but each side adds them up in its own order.
-void WholeSurface::measure_interface(std::int32_t face, std::int32_t other) {
+void GatheredSurface::measure_opening(std::int32_t face, std::int32_t other) {
     const std::int64_t key = face_keys_[static_cast<std::size_t>(face)];
     const auto link = block_.neighbour(EntityId{key / Hexahedron::faces}, static_cast<int>(key % Hexahedron::faces));
     const auto met = [&](std::size_t k) { return (static_cast<std::size_t>(link->rotation) + corners - k) % corners; };
@@ -212,7 +212,7 @@ void WholeSurface::measure_interface(std::int32_t face, std::int32_t other) {
     reals(opening)[static_cast<std::size_t>(other)] = 0.25 * from_there;
 }
 
-const geometry::Mesh& WholeSurface::crack() {
+const geometry::Mesh& GatheredSurface::crack() {
     pick(surface_.points, crack_points_, crack_.points);
     for (std::size_t field = 0; field < surface_.fields.size(); ++field) {
         std::visit(

@@ -14,12 +14,12 @@ namespace cracksim::surface {
 
 /// The surface of the block as the root puts it together from what the ranks tell: the same meshes as surface_mesh() gives,
 /// kept from frame to frame. Its order, by keys, does not depend on the ranks. No communication.
-class WholeSurface {
+class GatheredSurface {
 public:
-    WholeSurface(const Block& block, std::size_t ranks);
+    GatheredSurface(const Block& block, std::size_t ranks);
 
     /// The news of all ranks, for the next frame.
-    void take(std::span<const SurfaceNews> news);
+    void take(std::span<const SurfaceUpdate> update);
 
     [[nodiscard]] const geometry::Mesh& surface() const { return surface_; }
     /// The crack faces of surface(), and the points that they use.
@@ -33,17 +33,17 @@ private:
         Places face;
     };
 
-    void add_points(std::span<const SurfaceNews> news);
-    void add_faces(std::span<const SurfaceNews> news);
+    void add_points(std::span<const SurfaceUpdate> update);
+    void add_faces(std::span<const SurfaceUpdate> update);
     void make_room(const Places& moved);
-    void set_face(const SurfaceNews::Face& face);
-    void set_met(const SurfaceNews::Face& face);
+    void set_face(const SurfaceUpdate::Face& face);
+    void set_met(const SurfaceUpdate::Face& face);
     void find_crack();
     void number_crack_points();
-    void move(std::span<const SurfaceNews> news);
-    void name_fragments(std::span<const SurfaceNews> news);
+    void move(std::span<const SurfaceUpdate> update);
+    void name_fragments(std::span<const SurfaceUpdate> update);
     void measure_openings();
-    void measure_interface(std::int32_t face, std::int32_t other);
+    void measure_opening(std::int32_t face, std::int32_t other);
     [[nodiscard]] std::size_t place_of(std::int64_t face_key) const;
     [[nodiscard]] std::vector<double>& reals(std::size_t field);
     [[nodiscard]] std::vector<std::int64_t>& integers(std::size_t field);

@@ -7,33 +7,33 @@
 
 namespace cracksim::surface {
 
-using topology::Piece;
+using topology::Tree;
 
-EntityId Labels::name(Piece piece) const {
-    const LocalEntity smallest = pieces_.smallest_owned(piece);
+EntityId GlobalComponents::name(Tree tree) const {
+    const LocalEntity smallest = forest_.smallest_owned(tree);
     return smallest == LocalEntity{} ? EntityId{} : decomposition_->entities[smallest];
 }
 
-void Labels::agree() {
-    for (const Piece p : joined_) {
-        joined_label_[p.index()] = EntityId{};
+void GlobalComponents::agree() {
+    for (const Tree p : joined_) {
+        joined_id_[p.index()] = EntityId{};
     }
     joined_.clear();
-    joined_label_.resize(pieces_.size());
-    label_joined(comm_->gather_on_all<Joint>(joints()));
+    joined_id_.resize(forest_.size());
+    name_joined(comm_->gather_on_all<Joint>(joints()));
 }
 
-/// A piece of halo entities only is left out: the owners of its entities know of all that joins them.
-std::vector<Labels::Joint> Labels::joints() const {
+/// A tree of halo entities only is left out: the owners of its entities know of all that joins them.
+std::vector<GlobalComponents::Joint> GlobalComponents::joints() const {
     std::vector<EntityId> sent;
     for (const LocalEntity e : halo_->sent()) {
-        sent.push_back(name(pieces_.piece(e)));
+        sent.push_back(name(forest_.tree(e)));
     }
     std::vector<EntityId> owners(halo_->received().size());
     halo_->plan().exchange<EntityId>(sent, owners);
     std::vector<Joint> found;
     for (std::size_t i = 0; i < owners.size(); ++i) {
-        if (const EntityId here = name(pieces_.piece(halo_->received()[i])); here != EntityId{}) {
+        if (const EntityId here = name(forest_.tree(halo_->received()[i])); here != EntityId{}) {
             found.push_back({here, owners[i]});
         }
     }
@@ -41,7 +41,7 @@ std::vector<Labels::Joint> Labels::joints() const {
     return found;
 }
 
-void Labels::label_joined(const std::vector<Joint>& all) {
+void GlobalComponents::name_joined(const std::vector<Joint>& all) {
     std::vector<EntityId> names;
     for (const Joint& joint : all) {
         names.insert(names.end(), {joint.here, joint.there});
@@ -59,15 +59,15 @@ void Labels::label_joined(const std::vector<Joint>& all) {
         joined += sets.find(i) == i ? 0 : 1;
         const auto local = find_local(decomposition_->entities, names[i]);
         if (local && decomposition_->owned[*local] != 0) {
-            joined_.push_back(pieces_.piece(*local));
-            joined_label_[joined_.back().index()] = names[sets.find(i)];
+            joined_.push_back(forest_.tree(*local));
+            joined_id_[joined_.back().index()] = names[sets.find(i)];
         }
     }
-    count_ = comm_->sum(pieces_.owned_count()) - joined;
+    count_ = comm_->sum(forest_.owned_count()) - joined;
 }
 
-std::size_t Labels::memory_bytes() const {
-    return pieces_.memory_bytes() + joined_label_.capacity() * sizeof(EntityId);
+std::size_t GlobalComponents::memory_bytes() const {
+    return forest_.memory_bytes() + joined_id_.capacity() * sizeof(EntityId);
 }
 
 }  // namespace cracksim::surface

@@ -15,56 +15,56 @@
 namespace cracksim::surface {
 
 /// The smallest entity of what an entity hangs together with, over all ranks, for links that are only ever cut. Each rank
-/// keeps the pieces of its local entities; a piece is one with that of another rank where they hold the same entity. So
-/// ranks need to talk only when a piece of one of them falls apart, and then about pieces, not entities.
-class Labels {
+/// keeps the trees of its local entities; a tree is one with that of another rank where they hold the same entity. So
+/// ranks need to talk only when a tree of one of them falls apart, and then about trees, not entities.
+class GlobalComponents {
 public:
-    /// links: between local entities, see topology::Pieces; each must be known to a rank that owns an entity at one of its
+    /// links: between local entities, see topology::SpanningForest; each must be known to a rank that owns an entity at one of its
     /// ends. Collective; all arguments but the last must outlive this.
     template <class Links>
-    Labels(const partition::Communicator& comm, const partition::Decomposition& decomposition,
+    GlobalComponents(const partition::Communicator& comm, const partition::Decomposition& decomposition,
            const partition::Halo& halo, const Links& links)
-        : comm_{&comm}, decomposition_{&decomposition}, halo_{&halo}, pieces_{decomposition.owned.span(), links} {
+        : comm_{&comm}, decomposition_{&decomposition}, halo_{&halo}, forest_{decomposition.owned.span(), links} {
         agree();
     }
 
-    /// Tells the entities at both ends of all links that were cut. True if a piece of this rank fell apart: then agree()
+    /// Tells the entities at both ends of all links that were cut. True if a tree of this rank fell apart: then agree()
     /// must be called on all ranks before labels are asked for.
     template <class Links>
-    [[nodiscard]] bool cut(std::span<const LocalEntity> at, topology::PartingSearch& search, const Links& links) {
-        return pieces_.part(at, search, links);
+    [[nodiscard]] bool cut(std::span<const LocalEntity> at, topology::ReplacementEdgeSearch& search, const Links& links) {
+        return forest_.part(at, search, links);
     }
     /// Collective.
     void agree();
 
     /// Of an owned entity.
-    [[nodiscard]] EntityId label(LocalEntity entity) const {
-        const topology::Piece piece = pieces_.piece(entity);
-        const EntityId joined = joined_label_[piece.index()];
-        return joined == EntityId{} ? name(piece) : joined;
+    [[nodiscard]] EntityId id(LocalEntity entity) const {
+        const topology::Tree tree = forest_.tree(entity);
+        const EntityId joined = joined_id_[tree.index()];
+        return joined == EntityId{} ? name(tree) : joined;
     }
-    /// Labels over all ranks.
+    /// GlobalComponents over all ranks.
     [[nodiscard]] std::int64_t count() const { return count_; }
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
-    /// Two pieces on two ranks that are one, each named by its smallest owned entity.
+    /// Two trees on two ranks that are one, each named by its smallest owned entity.
     struct Joint {
         EntityId here;
         EntityId there;
         friend auto operator<=>(const Joint&, const Joint&) = default;
     };
 
-    [[nodiscard]] EntityId name(topology::Piece piece) const;
+    [[nodiscard]] EntityId name(topology::Tree tree) const;
     [[nodiscard]] std::vector<Joint> joints() const;
-    void label_joined(const std::vector<Joint>& all);
+    void name_joined(const std::vector<Joint>& all);
 
     const partition::Communicator* comm_;
     const partition::Decomposition* decomposition_;
     const partition::Halo* halo_;
-    topology::Pieces pieces_;
-    std::vector<EntityId> joined_label_;  ///< by piece; none: the piece is all there is, and its name the label
-    std::vector<topology::Piece> joined_;
+    topology::SpanningForest forest_;
+    std::vector<EntityId> joined_id_;  ///< by tree; none: the tree is all there is, and its name the label
+    std::vector<topology::Tree> joined_;
     std::int64_t count_{0};
 };
 

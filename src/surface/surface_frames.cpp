@@ -10,10 +10,10 @@
 
 namespace cracksim::surface {
 
-SurfaceFrames::SurfaceFrames(const partition::Communicator& comm, const dynamics::Dynamics& dynamics, io::Background& background,
+SurfaceFrames::SurfaceFrames(const partition::Communicator& comm, const dynamics::Dynamics& dynamics, io::Worker& worker,
                              io::FrameWriter* surface, io::FrameWriter* crack)
     : comm_{&comm},
-      background_{&background},
+      worker_{&worker},
       surface_writer_{surface},
       crack_writer_{crack},
       reporter_{dynamics.decomposition().entities.size()},
@@ -35,7 +35,7 @@ void SurfaceFrames::write(const dynamics::Dynamics& dynamics, const Coat& coat) 
     if (!comm_->is_root()) {
         return;
     }
-    background_->post([this, all = std::move(all), step = dynamics.state().step, time = dynamics.state().time()] {
+    worker_->post([this, all = std::move(all), step = dynamics.state().step, time = dynamics.state().time()] {
         whole_.take(unpacked(*all));
         if (surface_writer_ != nullptr) {
             surface_writer_->write_alone(whole_.surface(), step, time);

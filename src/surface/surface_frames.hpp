@@ -17,7 +17,7 @@ namespace cracksim::surface {
 class SurfaceFrames {
 public:
     /// A writer that is not wanted is null. All arguments must outlive this and the background's jobs.
-    SurfaceFrames(const partition::Communicator& comm, const dynamics::Dynamics& dynamics, io::Background& background,
+    SurfaceFrames(const partition::Communicator& comm, const dynamics::Dynamics& dynamics, io::Worker& worker,
                   io::FrameWriter* surface, io::FrameWriter* crack);
 
     /// Whether the frames of so many free faces are small enough.
@@ -29,11 +29,11 @@ public:
 
 private:
     const partition::Communicator* comm_;
-    io::Background* background_;
+    io::Worker* worker_;
     io::FrameWriter* surface_writer_;
     io::FrameWriter* crack_writer_;
     SurfaceReporter reporter_;
-    WholeSurface whole_;  ///< touched by the background's jobs only
+    GatheredSurface whole_;  ///< touched by the background's jobs only
 };
 
 }  // namespace cracksim::surface

@@ -19,22 +19,22 @@ public:
     explicit SurfaceReporter(std::size_t local_entities) : is_point_{local_entities} {}
 
     /// Since the last report; the first one tells all there is.
-    [[nodiscard]] SurfaceNews report(const dynamics::Dynamics& dynamics, const Coat& coat);
+    [[nodiscard]] SurfaceUpdate report(const dynamics::Dynamics& dynamics, const Coat& coat);
 
 private:
-    [[nodiscard]] SurfaceNews::Face record(const physics::Network& network, const Coat& coat,
+    [[nodiscard]] SurfaceUpdate::Face record(const physics::Network& network, const Coat& coat,
                                            const LocalSurface::Face& face);
-    void tell_changes(const physics::Network& network, const Coat& coat, SurfaceNews& news);
-    void tell_fragments(const Coat& coat, SurfaceNews& news);
-    void tell_positions(const physics::State& state, SurfaceNews& news) const;
+    void add_changes(const physics::Network& network, const Coat& coat, SurfaceUpdate& update);
+    void add_fragments(const Coat& coat, SurfaceUpdate& update);
+    void add_positions(const physics::State& state, SurfaceUpdate& update) const;
 
     std::vector<LocalMass> points_;
     std::vector<physics::VertexSite> vertex_;  ///< of points_
     std::vector<Vec3> rest_;                   ///< of points_, m
     MassMarks is_point_;
-    std::size_t told_changes_{0};
-    std::size_t told_points_{0};
-    std::int64_t told_fragments_{-1};
+    std::size_t sent_changes_{0};
+    std::size_t sent_points_{0};
+    std::int64_t sent_fragments_{-1};
 };
 
 }  // namespace cracksim::surface

@@ -39,24 +39,24 @@ void take(std::span<const std::byte>& bytes, std::vector<T>& values) {
 
 }  // namespace
 
-std::vector<std::byte> packed(const SurfaceNews& news) {
-    std::vector<std::byte> bytes(packed_size(news.new_points) + packed_size(news.changed_faces) +
-                                 packed_size(news.fragments) + packed_size(news.positions));
-    std::byte* to = pack(news.new_points, bytes.data());
-    to = pack(news.changed_faces, to);
-    to = pack(news.fragments, to);
-    pack(news.positions, to);
+std::vector<std::byte> packed(const SurfaceUpdate& update) {
+    std::vector<std::byte> bytes(packed_size(update.new_points) + packed_size(update.changed_faces) +
+                                 packed_size(update.fragments) + packed_size(update.positions));
+    std::byte* to = pack(update.new_points, bytes.data());
+    to = pack(update.changed_faces, to);
+    to = pack(update.fragments, to);
+    pack(update.positions, to);
     return bytes;
 }
 
-std::vector<SurfaceNews> unpacked(std::span<const std::byte> bytes) {
-    std::vector<SurfaceNews> all;
+std::vector<SurfaceUpdate> unpacked(std::span<const std::byte> bytes) {
+    std::vector<SurfaceUpdate> all;
     while (!bytes.empty()) {
-        SurfaceNews& news = all.emplace_back();
-        take(bytes, news.new_points);
-        take(bytes, news.changed_faces);
-        take(bytes, news.fragments);
-        take(bytes, news.positions);
+        SurfaceUpdate& update = all.emplace_back();
+        take(bytes, update.new_points);
+        take(bytes, update.changed_faces);
+        take(bytes, update.fragments);
+        take(bytes, update.positions);
     }
     return all;
 }

@@ -13,7 +13,7 @@ namespace cracksim::surface {
 
 /// What a rank tells the root of its part of the surface for a frame. Faces and points are told once, and again where a face
 /// has got another point; what follows the motion goes by their order.
-struct SurfaceNews {
+struct SurfaceUpdate {
     struct Face {
         std::int64_t key;  ///< 6 * entity + face
         double opened_at;  ///< s
@@ -27,7 +27,7 @@ struct SurfaceNews {
 };
 
 /// As bytes, and what several of them in a row say.
-[[nodiscard]] std::vector<std::byte> packed(const SurfaceNews& news);
-[[nodiscard]] std::vector<SurfaceNews> unpacked(std::span<const std::byte> bytes);
+[[nodiscard]] std::vector<std::byte> packed(const SurfaceUpdate& update);
+[[nodiscard]] std::vector<SurfaceUpdate> unpacked(std::span<const std::byte> bytes);
 
 }  // namespace cracksim::surface

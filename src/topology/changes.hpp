@@ -6,7 +6,7 @@
 
 namespace cracksim::topology {
 
-/// An interface that was unsewn, once: from the side of the smaller local entity.
+/// An interior face that was unsewn, once: from the side of the smaller local entity.
 struct UnsewnFace {
     LocalEntity entity;
     int face;

@@ -18,11 +18,11 @@ using physics::HexahedronPairs;
 using physics::LocalDuplet;
 
 // By interaction, of interaction-inl.hpp: differences of u and w 6, extension 8 (diagonal 12), SeriesRatios 22, dw.d 5,
-// drag 3, weight (k g + drag) 3, dissipation 3, range 1, and the two sums of forces 12.
+// drag 3, multiplicity (k g + drag) 3, dissipation 3, range 1, and the two sums of forces 12.
 constexpr double flops_of_edge = 63;
 constexpr double flops_of_diagonal = 67;
 // A first contribution to each of 8 corners would need no sum (-24), the corners' forces go to the unions (24), dissipation (2). What is
-// computed beside carried interactions, with weight 0, does not count.
+// computed beside represented interactions, with multiplicity 0, does not count.
 constexpr double flops_of_entity = 2;
 // w + F dt^2/M and u + w; with ab2 also 1.5 w - 0.5 w.
 constexpr double flops_of_union = 9;
@@ -59,12 +59,12 @@ std::vector<LocalDuplet> parting_duplets(const physics::Network& network, const 
         axis = parts(random) ? static_cast<int>(random() % 3) : -1;
     }
     std::vector<LocalDuplet> found;
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interfaces().size()); ++i) {
-        const physics::Interface& shared = network.interfaces()[static_cast<std::size_t>(i)];
-        for (int k = 0; k < physics::Network::duplets_per_interface; ++k) {
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interior_faces().size()); ++i) {
+        const physics::InteriorFace& shared = network.interior_faces()[static_cast<std::size_t>(i)];
+        for (int k = 0; k < physics::Network::duplets_per_face; ++k) {
             const auto v = lattice.vertex(local_mass(shared.a, shared.corner_a(k)));
             if (share == 1 || axis_at[v.index()] == shared.face_a / 2) {
-                found.emplace_back(i * physics::Network::duplets_per_interface + k);
+                found.emplace_back(i * physics::Network::duplets_per_face + k);
             }
         }
     }
@@ -76,7 +76,7 @@ double flops_of_step(const DamagedBlock& block) {
     double flops = flops_of_entity * block.network.entity_count();
     for (LocalEntity e{0}; e.value() < block.network.entity_count(); ++e) {
         for (int i = 0; i < HexahedronPairs::count; ++i) {
-            if (state.merging.weight(state.unions, e, i) > 0) {
+            if (state.shared_edges.multiplicity(state.unions, e, i) > 0) {
                 flops += i < HexahedronPairs::edges ? flops_of_edge : flops_of_diagonal;
             }
         }
@@ -88,11 +88,11 @@ double flops_of_step(const DamagedBlock& block) {
 
 double bytes_of_step(const DamagedBlock& block) {
     const physics::State& state = block.state;
-    // Of the 10 components (13 with ab2) all are read and all but the mobility are written; the lists of the pool, counted with them,
+    // Of the 10 components (13 with ab2) all are read and all but the dt^2/M are written; the lists of the pool, counted with them,
     // are small beside.
     const double components = state.scheme == physics::Scheme::ab2 ? 13 : 10;
     const double motion = static_cast<double>(state.motion.memory_bytes()) * (2 * components - 1) / components;
-    const std::size_t read = state.merging.memory_bytes() + state.pooled.memory_bytes() +
+    const std::size_t read = state.shared_edges.memory_bytes() + state.pooled.memory_bytes() +
                              state.sensing.limits.memory_bytes() +
                              state.sensing.exceeded.size() * sizeof(physics::EdgeBits);
     return motion + static_cast<double>(read);

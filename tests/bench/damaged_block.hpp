@@ -25,7 +25,7 @@ struct DamagedBlock {
                                                                 const physics::Lattice& lattice, double share,
                                                                 std::uint64_t seed);
 
-/// Additions and multiplications of a step, FMA as two, as few as the kernel can do with: what is void or carried by another
+/// Additions and multiplications of a step, FMA as two, as few as the kernel can do with: what is void or represented by another
 /// entity does not count, nor do comparisons.
 [[nodiscard]] double flops_of_step(const DamagedBlock& block);
 

@@ -82,7 +82,7 @@ private:
 
     const partition::Communicator& comm_;
     surface::SurfaceReporter reporter_;
-    surface::WholeSurface whole_;
+    surface::GatheredSurface whole_;
     io::FrameWriter surface_;
     io::FrameWriter crack_;
     io::FrameWriter surface_anew_;

@@ -93,9 +93,9 @@ DamagedBlock alerted(const DamagedBlock& block) {
     DamagedBlock alert = block;
     constexpr std::size_t every = 100;
     constexpr double moved = 0.03;
-    const auto slots = alert.state.unions.advanced();
-    for (std::size_t i = 0; i < slots.size(); i += every) {
-        alert.state.set_displacement(slots[i], {moved, 0, 0});
+    const auto unions = alert.state.unions.advanced();
+    for (std::size_t i = 0; i < unions.size(); i += every) {
+        alert.state.set_displacement(unions[i], {moved, 0, 0});
     }
     physics::accumulate_forces(alert.network, alert.state, physics::Measure::nothing);
     return alert;
@@ -125,7 +125,7 @@ void measure_split(benchmark::State& run, const Subject& subject, double share) 
     run.SetLabel("ns/split");
 }
 
-/// What a cut of the block in two hands over: all masses of the entities on one side of a plane across x.
+/// What a cut of the block in two hands over: all masses of the entities on one side of a layer across x.
 std::vector<LocalMass> masses_at_cut(const DamagedBlock& block) {
     std::vector<LocalMass> masses;
     const std::int64_t middle = block.network.block().cells()[0] / 2;

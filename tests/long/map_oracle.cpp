@@ -44,8 +44,8 @@ public:
         }
     }
 
-    void coat(const Simulation& s, const News& news) override {
-        const auto splits = test::gather_splits(s, news.splits);
+    void coat(const Simulation& s, const FractureEvents& update) override {
+        const auto splits = test::gather_splits(s, update.splits);
         if (block_) {
             block_->split(splits);
             splits_since_ += splits.size();

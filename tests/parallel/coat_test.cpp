@@ -70,8 +70,8 @@ public:
     explicit WholeBlock(const Simulation& s)
         : halo_{world(), s.dynamics().decomposition()}, unions_{s.dynamics().network()} {}
 
-    void coat(const Simulation& s, const News& news) override {
-        unions_.take(news.splits);
+    void coat(const Simulation& s, const FractureEvents& update) override {
+        unions_.take(update.splits);
         masks_are_their_owners(s);
         const auto& owned = s.dynamics().decomposition().owned;
         const LabelArray components = whole_labels(s, halo_, [&](LabelArray& labels) {

@@ -26,8 +26,8 @@ scene::Scene scene_of(const std::string& cells, const std::string& partition, co
                       "forecast.yaml", {});
 }
 
-std::array<std::int64_t, 10> counts(const forecast::PartLoad& l) {
-    return {l.owned,    l.local, l.sites,       l.vertex_sites, l.interfaces,
+std::array<std::int64_t, 10> counts(const forecast::RankCounts& l) {
+    return {l.owned,    l.local, l.sites,       l.vertex_sites, l.interior_faces,
             l.received, l.sent,  l.sent_unions, l.messages,     l.boundary_faces};
 }
 
@@ -35,20 +35,20 @@ TEST(EstimatedLoads, AreExactForSlabsOfWholeLayers) {
     const scene::Scene scene = scene_of("[6, 5, 12]", "slab", "cordis");
     dynamics::Stopwatch stopwatch;
     const Simulation simulation{world(), scene, stopwatch};
-    const auto estimated = forecast::estimated_loads(scene.block, scene.partition, world().size());
-    EXPECT_EQ(counts(forecast::load_of(simulation.dynamics(), simulation.coat())), counts(estimated[world().rank().index()]));
+    const auto estimated = forecast::estimated_rank_counts(scene.block, scene.partition, world().size());
+    EXPECT_EQ(counts(forecast::count_rank(simulation.dynamics(), simulation.coat())), counts(estimated[world().rank().index()]));
 }
 
 TEST(EstimatedLoads, AreWithinAQuarterOfMetisParts) {
     const scene::Scene scene = scene_of("[30, 30, 10]", "metis", "cordis");
     dynamics::Stopwatch stopwatch;
     const Simulation simulation{world(), scene, stopwatch};
-    const forecast::PartLoad found = forecast::load_of(simulation.dynamics(), simulation.coat());
-    forecast::PartLoad estimated;
-    for (const forecast::PartLoad& load : forecast::estimated_loads(scene.block, scene.partition, world().size())) {
-        estimated.local += load.local;
-        estimated.sent += load.sent;
-        estimated.sent_unions += load.sent_unions;
+    const forecast::RankCounts found = forecast::count_rank(simulation.dynamics(), simulation.coat());
+    forecast::RankCounts estimated;
+    for (const forecast::RankCounts& counts : forecast::estimated_rank_counts(scene.block, scene.partition, world().size())) {
+        estimated.local += counts.local;
+        estimated.sent += counts.sent;
+        estimated.sent_unions += counts.sent_unions;
     }
     const auto near = [](std::int64_t a, std::int64_t b) { return 4 * std::abs(a - b) <= b; };
     EXPECT_PRED2(near, estimated.local, world().sum(found.local));
@@ -69,7 +69,7 @@ TEST(ModelBytes, AreWhatNetworkStateAndMapHold) {
         const dynamics::Dynamics& dynamics = simulation.dynamics();
         const auto held = static_cast<double>(dynamics.network().memory_bytes() + dynamics.state().memory_bytes() +
                                               simulation.coat().memory_bytes());
-        const double model = forecast::model_bytes(scene, forecast::load_of(dynamics, simulation.coat()), 0);
+        const double model = forecast::model_bytes(scene, forecast::count_rank(dynamics, simulation.coat()), 0);
         // Lists that grew have room for more than they hold, of which the process never touches a page.
         EXPECT_LT(model, 1.04 * held);
         EXPECT_GT(model, 0.85 * held);

@@ -40,7 +40,7 @@ using LabelArray = IdArray<LocalEntity, EntityId>;
 
 class Invariants : public Observer {
 public:
-    void coat(const Simulation& s, const News&) override {
+    void coat(const Simulation& s, const FractureEvents&) override {
         ++coats;
         map_is_valid(s);
         faces_are_sewn_exactly_while_corners_share_unions(s);
@@ -84,7 +84,7 @@ private:
                 bool share = true;
                 for (std::size_t k = 0; k < met->size(); ++k) {
                     const int corner = Hexahedron::face[static_cast<std::size_t>(face)][k];
-                    share = share && unions.slot(local_mass(e, corner)) == unions.slot((*met)[k]);
+                    share = share && unions.union_of(local_mass(e, corner)) == unions.union_of((*met)[k]);
                 }
                 EXPECT_EQ(map.is_sewn(e, face), share)
                     << "entity " << s.dynamics().network().entity(e).value() << " face " << face;

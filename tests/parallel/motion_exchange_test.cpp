@@ -55,7 +55,7 @@ std::vector<physics::LocalDuplet> drawn_duplets(const Part& part, std::uint64_t 
 
 /// Motions that follow from a union's smallest mass, so the same on all ranks.
 void move(const physics::Network& network, physics::State& state) {
-    state.unions.for_each_advanced([&](physics::Slot s, LocalMass smallest) {
+    state.unions.for_each_advanced([&](physics::LocalUnion s, LocalMass smallest) {
         const auto id = static_cast<double>(network.mass(smallest).value());
         state.set_increment(s, {1e-6 * id, -2e-6 * id, 1e-7});
         state.set_force(s, {0.001 * id, 0.002, -0.003 * id});
@@ -84,7 +84,7 @@ std::map<MassId, Vec3> next_increments_of_all(const Part& part) {
     return all;
 }
 
-TEST(dynamics::MotionExchange, BringsTheOwnersIncrementsAsUnionsFallApart) {
+TEST(MotionExchange, BringsTheOwnersIncrementsAsUnionsFallApart) {
     for (const char* kind : {"metis", "slab", "random"}) {
         Part part{kind};
         dynamics::MotionExchange exchange{world(), part.network, part.decomposition, part.state};
@@ -96,7 +96,7 @@ TEST(dynamics::MotionExchange, BringsTheOwnersIncrementsAsUnionsFallApart) {
             const std::span<const Vec3> received = exchange.next_increments(part.network, part.state, stopwatch);
             const std::map<MassId, Vec3> expected = next_increments_of_all(part);
             for (std::size_t row = 0; row < part.state.lattice().vertex_rows().size(); ++row) {
-                for (const auto& [slot, mass] : part.state.received.in_row(row)) {
+                for (const auto& [id, mass] : part.state.received.in_row(row)) {
                     EXPECT_EQ(received[mass], expected.at(part.network.mass(part.network.received()[mass])));
                 }
             }
@@ -105,12 +105,12 @@ TEST(dynamics::MotionExchange, BringsTheOwnersIncrementsAsUnionsFallApart) {
     }
 }
 
-TEST(dynamics::MotionExchange, EndsWhereAnOwnerKnowsOtherLabels) {
+TEST(MotionExchange, EndsWhereAnOwnerKnowsOtherLabels) {
     Part part{"slab"};
     const bool is_wrong_here = world().is_root() && !part.network.received().empty();
     if (is_wrong_here) {
         const LocalMass m = part.network.received().back();
-        part.state.unions.set_received_label(m, part.state.unions.label(m) == 0 ? 1 : 0);
+        part.state.unions.set_received_part(m, part.state.unions.part(m) == 0 ? 1 : 0);
     }
     dynamics::MotionExchange exchange{world(), part.network, part.decomposition, part.state};
     dynamics::Stopwatch stopwatch;

@@ -64,7 +64,7 @@ private:
     int coats_;
     int coat_{0};
     surface::SurfaceReporter reporter_;
-    surface::WholeSurface whole_;
+    surface::GatheredSurface whole_;
 };
 
 /// The most crack faces of each of some drawn scenes, added up; on the root.

@@ -11,8 +11,8 @@ namespace {
 
 class EventCollector : public simulation::Observer {
 public:
-    void coat(const simulation::Simulation&, const simulation::News& news) override {
-        events.insert(events.end(), news.events.begin(), news.events.end());
+    void coat(const simulation::Simulation&, const simulation::FractureEvents& update) override {
+        events.insert(events.end(), update.events.begin(), update.events.end());
     }
 
     std::vector<physics::DupletEvent> events;
@@ -24,8 +24,8 @@ std::vector<MassMotion> owned_motions(const dynamics::Dynamics& dynamics) {
     std::vector<MassMotion> motions;
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
         if (network.owned(entity_of(m))) {
-            const physics::Slot slot = state.unions.slot(m);
-            motions.push_back({network.mass(m), state.displacement(slot), state.increment(slot)});
+            const physics::LocalUnion id = state.unions.union_of(m);
+            motions.push_back({network.mass(m), state.displacement(id), state.increment(id)});
         }
     }
     return motions;

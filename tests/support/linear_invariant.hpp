@@ -11,17 +11,17 @@ inline double linear_invariant(const physics::Network& network, const physics::S
     const double dt = state.step_size;
     double sum = 0;
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
-        const auto slot = [&](int corner) { return state.unions.slot(local_mass(e, corner)); };
+        const auto id = [&](int corner) { return state.unions.union_of(local_mass(e, corner)); };
         for (int c = 0; c < Hexahedron::corners; ++c) {
-            const Vec3 v = (1 / dt) * state.increment(slot(c));
+            const Vec3 v = (1 / dt) * state.increment(id(c));
             sum += 0.5 * network.model().corner_mass * dot(v, v);
         }
         for (std::size_t i = 0; i < physics::HexahedronPairs::count; ++i) {
             const auto [a, b] = physics::HexahedronPairs::corners[i];
             const Vec3 n = (1 / network.model().rest_length[i]) * network.model().rest[i];
-            const double w = dot(n, state.increment(slot(b)) - state.increment(slot(a)));
-            const double u = dot(n, state.displacement(slot(b)) - state.displacement(slot(a)));
-            const auto& [k, z] = network.model().elasticity[i];
+            const double w = dot(n, state.increment(id(b)) - state.increment(id(a)));
+            const double u = dot(n, state.displacement(id(b)) - state.displacement(id(a)));
+            const auto& [k, z] = network.model().interaction[i];
             const double mean = u - 0.5 * w;
             sum += 0.5 * (k * mean * mean - 0.25 * k * w * w - 0.5 * z / dt * w * w);
         }

@@ -9,11 +9,11 @@
 
 namespace cracksim::test {
 
-/// Four for each interface, ascending, whether they tie masses or not.
+/// Four for each interior face, ascending, whether they tie masses or not.
 [[nodiscard]] inline std::vector<physics::LocalDuplet> all_duplets(const physics::Network& network) {
     std::vector<physics::LocalDuplet> all;
-    const auto interfaces = static_cast<std::int32_t>(network.interfaces().size());
-    for (std::int32_t d = 0; d < interfaces * physics::Network::duplets_per_interface; ++d) {
+    const auto interior_faces = static_cast<std::int32_t>(network.interior_faces().size());
+    for (std::int32_t d = 0; d < interior_faces * physics::Network::duplets_per_face; ++d) {
         all.emplace_back(d);
     }
     return all;

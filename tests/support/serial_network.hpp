@@ -15,8 +15,8 @@ struct SerialBlock {
     std::array<std::int64_t, 3> cells{3, 3, 3};
     Vec3 edge{1, 1, 1};
     double corner_mass{0.125};
-    physics::Elasticity edges{0.2, 0.04};
-    physics::Elasticity diagonals{0.3, 0.06};
+    physics::KelvinVoigt edges{0.2, 0.04};
+    physics::KelvinVoigt diagonals{0.3, 0.06};
     physics::Duplets duplets{physics::Duplets::corners};
     physics::Thresholds thresholds{[](Vec3) { return 0.02; }, std::nullopt};
     std::vector<physics::Support> supports{};

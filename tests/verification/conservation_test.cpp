@@ -57,8 +57,8 @@ double total_mass(const Network& network) { return network.mass_count() * networ
 std::array<Vec3, 2> momenta(const Network& network, const State& state) {
     Vec3 linear;
     Vec3 angular;
-    for (const Slot s : state.unions.advanced()) {
-        const double mass = state.step_size * state.step_size / state.mobility(s);
+    for (const LocalUnion s : state.unions.advanced()) {
+        const double mass = state.step_size * state.step_size / state.dt2_over_mass(s);
         const Vec3 x = network.rest_position(state.unions.smallest_mass(s)) + state.displacement(s);
         const Vec3 p = (mass / state.step_size) * state.increment(s);
         linear += p;

@@ -14,7 +14,7 @@ namespace cracksim::physics {
 
 namespace {
 
-/// Of a length, for rounding. In single precision an extension x errs by seven roundings of products that are at most 8 (1 + x).
+/// Of a length, for rounding. In single precision an quadratic_strain x errs by seven roundings of products that are at most 8 (1 + x).
 constexpr double margin_in_double = 1e-12;
 constexpr double margin_in_single = 4e-6;
 
@@ -26,8 +26,8 @@ struct Reach {
 };
 
 Reach reach_of(const Network& network, LocalDuplet d) {
-    const Interface& face = network.interfaces()[d.index() / Network::duplets_per_interface];
-    const int k = d.value() % Network::duplets_per_interface;
+    const InteriorFace& face = network.interior_faces()[d.index() / Network::duplets_per_face];
+    const int k = d.value() % Network::duplets_per_face;
     const int a = face.corner_a(k);
     const int b = face.corner_b(k);
     const int p = Hexahedron::across(a, face.face_a / 2);
@@ -40,16 +40,16 @@ Reach reach_of(const Network& network, LocalDuplet d) {
 
 bool triggers(const Network& network, const State& state, LocalDuplet d) {
     const Reach reach = reach_of(network, d);
-    const Vec3 du = state.displacement(state.unions.slot(reach.p)) - state.displacement(state.unions.slot(reach.q));
+    const Vec3 du = state.displacement(state.unions.union_of(reach.p)) - state.displacement(state.unions.union_of(reach.q));
     const Vec3 distance = reach.rest + du;
     const double rest = norm(reach.rest);
     const double elongation = dot(reach.rest + distance, du) / (norm(distance) + rest);
     return elongation > network.threshold(d) * rest;
 }
 
-/// The extension |d|^2/L0^2 - 1 up to which both edges under a sensor may go before it can trigger: they are in line, so with stretches
+/// The quadratic_strain |d|^2/L0^2 - 1 up to which both edges under a sensor may go before it can trigger: they are in line, so with stretches
 /// up to s the sum of their lengths is at most (1 + s) R0.
-double extension_limit(double lowest_threshold, Precision precision) {
+double strain_limit(double lowest_threshold, Precision precision) {
     const double margin = precision == Precision::binary32 ? margin_in_single : margin_in_double;
     const double length = (1 + lowest_threshold) * (1 - margin);
     return length * length - 1;
@@ -78,7 +78,7 @@ void for_each_sensor(const Network& network, const State& state, const EdgeCopie
 
 std::vector<LocalDuplet> sense_all(const Network& network, const State& state) {
     std::vector<LocalDuplet> found;
-    const auto count = static_cast<std::int32_t>(network.interfaces().size()) * Network::duplets_per_interface;
+    const auto count = static_cast<std::int32_t>(network.interior_faces().size()) * Network::duplets_per_face;
     for (LocalDuplet d{0}; d.value() < count; ++d) {
         if (state.sensing.is_active(d) && triggers(network, state, d)) {
             found.push_back(d);
@@ -168,20 +168,20 @@ void Sensors::find_stretched(const Network& network, const State& state) {
 void Sensors::look_up(const Network& network, const State& state, Site site, int edge) {
     const LocalEntity e = state.lattice().entity(site);
     const auto [lower, upper] = HexahedronPairs::corners[static_cast<std::size_t>(edge)];
-    const std::array<Slot, 2> slot{state.unions.slot(local_mass(e, lower)), state.unions.slot(local_mass(e, upper))};
-    const std::array<VertexSite, 2> vertex{vertex_of(slot[0]), vertex_of(slot[1])};
+    const std::array<LocalUnion, 2> id{state.unions.union_of(local_mass(e, lower)), state.unions.union_of(local_mass(e, upper))};
+    const std::array<VertexSite, 2> vertex{vertex_of(id[0]), vertex_of(id[1])};
     make_room(now_.edges, 1);
     StretchedEdge& found =
         now_.edges.emplace_back(StretchedEdge{place_of(site, edge), vertex, revision(state, vertex), 0});
     const int axis = edge / HexahedronPairs::edges_per_axis;
     const EdgeCopies copies = edge_copies(state.unions, vertex[0], axis);
-    const EdgeCopy here{e, edge, plane_of(slot[0]), plane_of(slot[1])};
+    const EdgeCopy here{e, edge, layer_of(id[0]), layer_of(id[1])};
     for_each_sensor(network, state, copies, here, [&](LocalDuplet d, std::size_t end, LocalEntity copy) {
         const Reach reach = reach_of(network, d);
         const LocalMass far = entity_of(reach.p) == copy ? reach.q : reach.p;
         make_room(now_.sensors, 1);
-        now_.sensors.push_back({slot[1 - end], far, state.lattice().vertex(far), d,
-                                rounded_down(extension_limit(network.threshold(d), state.motion.precision())),
+        now_.sensors.push_back({id[1 - end], far, state.lattice().vertex(far), d,
+                                rounded_down(strain_limit(network.threshold(d), state.motion.precision())),
                                 static_cast<std::uint8_t>(axis), end == 1});
         ++found.sensors;
     });
@@ -192,7 +192,7 @@ std::vector<LocalDuplet> Sensors::find_triggered(const Network& network, const S
     const std::array<Vec3, 3> rest = upward_reaches(network.model());
     for (const SensorOver& sensor : now_.sensors) {
         const Vec3 near = state.displacement(sensor.near);
-        const Vec3 far = state.displacement(slot_of(sensor.far_vertex, state.unions.label(sensor.far)));
+        const Vec3 far = state.displacement(local_union(sensor.far_vertex, state.unions.part(sensor.far)));
         const Vec3 du = sensor.goes_up ? far - near : near - far;
         const Vec3& up = rest[sensor.axis];
         if (dot(2 * up + du, du) > static_cast<double>(sensor.limit) * dot(up, up) &&
@@ -209,14 +209,14 @@ void set_sensing_limits(const Network& network, VertexSite lower, int axis, Stat
     for (std::size_t i = 0; i < copies.count; ++i) {
         const EdgeCopy& copy = copies.copy[i];
         double lowest = std::numeric_limits<double>::infinity();
-        if (state.merging.weight(state.unions, copy.entity, copy.edge) != 0) {
+        if (state.shared_edges.multiplicity(state.unions, copy.entity, copy.edge) != 0) {
             for_each_sensor(network, state, copies, copy, [&](LocalDuplet d, std::size_t, LocalEntity) {
                 lowest = std::min(lowest, network.threshold(d));
             });
         }
-        const double limit = extension_limit(lowest, state.motion.precision());
+        const double limit = strain_limit(lowest, state.motion.precision());
         state.sensing.limits.set(state.lattice().site(copy.entity), copy.edge,
-                                 UpperHalf::not_above(rounded_down(limit)));
+                                 Bfloat16::not_above(rounded_down(limit)));
     }
 }
 

@@ -24,9 +24,9 @@ class Sensors {
 public:
     explicit Sensors(Prefilter prefilter) : prefilter_{prefilter} {}
 
-    /// What is kept of a network whose edges are all stretched, by interface: both edges under a sensor know it.
-    [[nodiscard]] static constexpr std::size_t bytes_per_interface() {
-        return Network::duplets_per_interface * 2 * sizeof(SensorOver);
+    /// What is kept of a network whose edges are all stretched, by interior face: both edges under a sensor know it.
+    [[nodiscard]] static constexpr std::size_t bytes_per_face() {
+        return Network::duplets_per_face * 2 * sizeof(SensorOver);
     }
 
     /// The duplets whose sensors trigger at the current state, ascending, each once. Always of the same network and state.
@@ -35,7 +35,7 @@ public:
 private:
     /// A sensor that reaches over a stretched edge from its near end, and on over another edge in line with it to a far mass.
     struct SensorOver {
-        Slot near;
+        LocalUnion near;
         LocalMass far;
         VertexSite far_vertex;
         LocalDuplet duplet;

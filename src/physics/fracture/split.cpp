@@ -12,8 +12,8 @@ namespace cracksim::physics {
 
 namespace {
 
-std::int32_t interface_of(LocalDuplet d) { return d.value() / Network::duplets_per_interface; }
-int place_of(LocalDuplet d) { return d.value() % Network::duplets_per_interface; }
+std::int32_t interior_face_of(LocalDuplet d) { return d.value() / Network::duplets_per_face; }
+int place_of(LocalDuplet d) { return d.value() % Network::duplets_per_face; }
 
 /// The mass that an active duplet over a face ties to this one; none: the default id.
 LocalMass tied_over(const Network& network, const Sensing& sensing, LocalMass m, int face) {
@@ -24,27 +24,27 @@ LocalMass tied_over(const Network& network, const Sensing& sensing, LocalMass m,
 /// The connected components of a union's masses under active duplets; each ascends, and they ascend by first mass.
 std::vector<std::vector<LocalMass>> components(const Network& network, const Sensing& sensing,
                                                std::span<const LocalMass> masses) {
-    std::vector<std::size_t> label(masses.size());
-    std::iota(label.begin(), label.end(), std::size_t{0});
-    const auto relabel = [&](std::size_t from, std::size_t to) { std::ranges::replace(label, from, to); };
+    std::vector<std::size_t> component(masses.size());
+    std::iota(component.begin(), component.end(), std::size_t{0});
+    const auto relabel = [&](std::size_t from, std::size_t to) { std::ranges::replace(component, from, to); };
     for (std::size_t i = 0; i < masses.size(); ++i) {
         for (int face = 0; face < Hexahedron::faces; ++face) {
             const auto other = std::ranges::find(masses, tied_over(network, sensing, masses[i], face));
             if (other != masses.end()) {
-                const std::size_t a = label[i];
-                const std::size_t b = label[static_cast<std::size_t>(other - masses.begin())];
+                const std::size_t a = component[i];
+                const std::size_t b = component[static_cast<std::size_t>(other - masses.begin())];
                 relabel(std::max(a, b), std::min(a, b));
             }
         }
     }
     std::vector<std::vector<LocalMass>> parts;
     for (std::size_t first = 0; first < masses.size(); ++first) {
-        if (label[first] != first) {
+        if (component[first] != first) {
             continue;
         }
         parts.emplace_back();
         for (std::size_t i = first; i < masses.size(); ++i) {
-            if (label[i] == first) {
+            if (component[i] == first) {
                 parts.back().push_back(masses[i]);
             }
         }
@@ -57,10 +57,10 @@ struct Inheritance {
     Vec3 displacement;
     Vec3 increment;
     Vec3 velocity_increment;
-    std::optional<Held> held;
+    std::optional<HeldUnion> held;
 };
 
-Inheritance leave(State& state, Slot s) {
+Inheritance leave(State& state, LocalUnion s) {
     Inheritance left{state.displacement(s), state.increment(s), state.velocity_increment(s), std::nullopt};
     if (const auto found = state.held_of_slot.find(s); found != state.held_of_slot.end()) {
         left.held = state.held[found->second];
@@ -69,23 +69,23 @@ Inheritance leave(State& state, Slot s) {
     return left;
 }
 
-void inherit(const Network& network, State& state, Slot s, const Inheritance& left) {
+void inherit(const Network& network, State& state, LocalUnion s, const Inheritance& left) {
     state.motion.open(s);
     state.set_displacement(s, left.displacement);
     state.set_increment(s, left.increment);
     state.set_velocity_increment(s, left.velocity_increment);
-    state.set_mobility(network, s);
+    state.set_dt2_over_mass(network, s);
 }
 
 /// The first part takes the union's place among the held ones.
-void hold_parts(State& state, Slot whole, std::span<const Slot> parts, const Held& held) {
+void hold_parts(State& state, LocalUnion whole, std::span<const LocalUnion> parts, const HeldUnion& held) {
     const std::size_t index = state.held_of_slot.at(whole);
     state.held_of_slot.erase(whole);
     state.held_of_slot[parts.front()] = index;
-    state.held[index].slot = parts.front();
-    for (const Slot part : parts.subspan(1)) {
-        Held more = held;
-        more.slot = part;
+    state.held[index].local_union = parts.front();
+    for (const LocalUnion part : parts.subspan(1)) {
+        HeldUnion more = held;
+        more.local_union = part;
         state.hold(more);
     }
 }
@@ -99,12 +99,12 @@ void share_forces(const Network& network, std::span<const LocalMass> masses, Sta
     }
     const auto forces = entity_forces(network, state, entities);
     for (std::size_t i = 0; i < masses.size(); ++i) {
-        const Slot s = state.unions.slot(masses[i]);
+        const LocalUnion s = state.unions.union_of(masses[i]);
         state.set_force(s, state.force(s) + forces[i][static_cast<std::size_t>(corner_of(masses[i]))]);
     }
 }
 
-bool split_union(const Network& network, Slot s, State& state, SplitStream& splits) {
+bool split_union(const Network& network, LocalUnion s, State& state, SplitStream& splits) {
     std::vector<LocalMass> masses;
     state.unions.masses(s, masses);
     const std::vector<std::vector<LocalMass>> parts = components(network, state.sensing, masses);
@@ -113,17 +113,17 @@ bool split_union(const Network& network, Slot s, State& state, SplitStream& spli
     }
     splits.begin_split(state.step, state.time());
     const Inheritance left = leave(state, s);
-    std::vector<Slot> slots;
+    std::vector<LocalUnion> unions;
     for (const auto& part : parts) {
         splits.add_part(part);
-        slots.push_back(state.unions.assign(part));
+        unions.push_back(state.unions.assign(part));
     }
     // Only when all masses have their new labels is a part's mass its own.
-    for (const Slot part : slots) {
+    for (const LocalUnion part : unions) {
         inherit(network, state, part, left);
     }
     if (left.held) {
-        hold_parts(state, s, slots, *left.held);
+        hold_parts(state, s, unions, *left.held);
     }
     share_forces(network, masses, state);
     return true;
@@ -140,14 +140,14 @@ std::vector<VertexSite> concerned_vertices(const Network& network, std::span<con
     return vertices;
 }
 
-std::vector<Slot> slots_at(const State& state, VertexSite v) {
-    std::vector<Slot> slots;
+std::vector<LocalUnion> unions_at(const State& state, VertexSite v) {
+    std::vector<LocalUnion> unions;
     state.lattice().for_each_mass_at(v, [&](LocalMass m) {
-        if (std::ranges::find(slots, state.unions.slot(m)) == slots.end()) {
-            slots.push_back(state.unions.slot(m));
+        if (std::ranges::find(unions, state.unions.union_of(m)) == unions.end()) {
+            unions.push_back(state.unions.union_of(m));
         }
     });
-    return slots;
+    return unions;
 }
 
 }  // namespace
@@ -161,7 +161,7 @@ std::size_t split(const Network& network, std::span<const LocalDuplet> triggered
     std::vector<VertexSite> changed;
     for (const VertexSite v : vertices) {
         const std::size_t before = count;
-        for (const Slot s : slots_at(state, v)) {
+        for (const LocalUnion s : unions_at(state, v)) {
             count += split_union(network, s, state, splits) ? 1U : 0U;
         }
         if (count > before) {
@@ -174,7 +174,7 @@ std::size_t split(const Network& network, std::span<const LocalDuplet> triggered
 }
 
 std::array<LocalMass, 2> masses_of(const Network& network, LocalDuplet duplet) {
-    const Interface& shared = network.interfaces()[static_cast<std::size_t>(interface_of(duplet))];
+    const InteriorFace& shared = network.interior_faces()[static_cast<std::size_t>(interior_face_of(duplet))];
     return {local_mass(shared.a, shared.corner_a(place_of(duplet))),
             local_mass(shared.b, shared.corner_b(place_of(duplet)))};
 }

@@ -13,7 +13,7 @@ namespace cracksim::physics {
 
 /// One step of every union that this rank advances, from the forces of the last sweep:
 ///     w <- w + dt^2 F(u, w)/M,  u <- u + w,
-/// and the forces at the new state. Both go row by row, so that a motion is read and written once. Held components take their
+/// and the forces at the new state. Both go row by row, so that a motion is read and written once. HeldUnion components take their
 /// supports' motion, whose work is added to state.external. received: the next increments of the received masses, m, in the order of
 /// Network::received; of the masses of a union only the first's is read.
 /// A union whose increment is not finite or longer than 100 edges is noted in state.breakdown. state.step becomes n + 1.
@@ -31,11 +31,11 @@ struct StartIncrements {
 void set_received(const Network& network, State& state, std::span<const StartIncrements> increments);
 
 /// What the owner says of the union of a received mass.
-struct ReceivedLabel {
+struct ReceivedPart {
     std::size_t mass;  ///< index into Network::received
     int label;
 };
 /// Takes over new labels of received masses, in any order.
-void set_received_labels(const Network& network, State& state, std::span<const ReceivedLabel> labels);
+void set_received_parts(const Network& network, State& state, std::span<const ReceivedPart> labels);
 
 }  // namespace cracksim::physics

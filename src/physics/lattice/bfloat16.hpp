@@ -7,17 +7,17 @@
 namespace cracksim::physics {
 
 /// The upper half of a number in single precision.
-struct UpperHalf {
+struct Bfloat16 {
     std::uint16_t bits;
 
     /// The greatest that is not above a number.
-    [[nodiscard]] static UpperHalf not_above(float value) {
+    [[nodiscard]] static Bfloat16 not_above(float value) {
         const auto bits = std::bit_cast<std::uint32_t>(value);
         const std::uint32_t away_from_zero = value < 0 && (bits & 0xffffU) != 0 ? 1 : 0;
         return {static_cast<std::uint16_t>((bits >> 16U) + away_from_zero)};
     }
-    [[nodiscard]] static UpperHalf infinity() { return not_above(std::numeric_limits<float>::infinity()); }
-    friend bool operator==(UpperHalf, UpperHalf) = default;
+    [[nodiscard]] static Bfloat16 infinity() { return not_above(std::numeric_limits<float>::infinity()); }
+    friend bool operator==(Bfloat16, Bfloat16) = default;
     [[nodiscard]] float value() const { return std::bit_cast<float>(std::uint32_t{bits} << 16U); }
 };
 

@@ -9,22 +9,22 @@
 
 namespace cracksim::physics {
 
-/// Of each entity's edges the extension |d|^2/L0^2 - 1 up to which no sensor that reaches over the edge can trigger; infinite if there is none
-/// or the entity does not carry the edge. Beside them the lowest of half a batch: most sweeps need no more than that.
+/// Of each entity's edges the quadratic_strain |d|^2/L0^2 - 1 up to which no sensor that reaches over the edge can trigger; infinite if there is none
+/// or the entity does not represent the edge. Beside them the lowest of half a batch: most sweeps need no more than that.
 class EdgeLimits {
 public:
     /// All infinite.
     explicit EdgeLimits(const Lattice& lattice);
 
-    [[nodiscard]] UpperHalf of(Site site, int edge) const { return by_edge_[place(site, edge)]; }
-    void set(Site site, int edge, UpperHalf limit);
+    [[nodiscard]] Bfloat16 of(Site site, int edge) const { return by_edge_[place(site, edge)]; }
+    void set(Site site, int edge, Bfloat16 limit);
 
     /// [batch][edge][lane]
-    [[nodiscard]] const UpperHalf* by_edge() const { return by_edge_.data(); }
+    [[nodiscard]] const Bfloat16* by_edge() const { return by_edge_.data(); }
     /// [half of a batch]
-    [[nodiscard]] const UpperHalf* lowest() const { return lowest_.data(); }
+    [[nodiscard]] const Bfloat16* lowest() const { return lowest_.data(); }
     [[nodiscard]] std::size_t memory_bytes() const {
-        return (by_edge_.capacity() + lowest_.capacity()) * sizeof(UpperHalf);
+        return (by_edge_.capacity() + lowest_.capacity()) * sizeof(Bfloat16);
     }
     friend bool operator==(const EdgeLimits&, const EdgeLimits&) = default;
 
@@ -35,10 +35,10 @@ private:
         return site.index() / Lattice::lanes * of_batch + static_cast<std::size_t>(edge * Lattice::lanes) +
                site.index() % Lattice::lanes;
     }
-    [[nodiscard]] UpperHalf lowest_in(std::size_t half) const;
+    [[nodiscard]] Bfloat16 lowest_in(std::size_t half) const;
 
-    std::vector<UpperHalf> by_edge_;
-    std::vector<UpperHalf> lowest_;
+    std::vector<Bfloat16> by_edge_;
+    std::vector<Bfloat16> lowest_;
 };
 
 }  // namespace cracksim::physics

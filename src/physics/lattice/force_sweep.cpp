@@ -12,12 +12,12 @@ InteractionConstants<Real> constants(const EntityModel& model, std::size_t kind,
     const auto real = [](double value) { return static_cast<Real>(value); };
     const std::size_t i = kind * HexahedronPairs::per_kind;
     for (std::size_t other = i; other < i + HexahedronPairs::per_kind; ++other) {
-        CRACKSIM_EXPECT(model.elasticity[other] == model.elasticity[i] &&
+        CRACKSIM_EXPECT(model.interaction[other] == model.interaction[i] &&
                         model.rest_length[other] == model.rest_length[i]);
     }
     const double squared = model.rest_length[i] * model.rest_length[i];
-    return {real(1 / squared), real(model.elasticity[i].stiffness),
-            real(model.elasticity[i].viscosity / (dt * squared)), real(0.5 * model.elasticity[i].stiffness * squared)};
+    return {real(1 / squared), real(model.interaction[i].stiffness),
+            real(model.interaction[i].viscosity / (dt * squared)), real(0.5 * model.interaction[i].stiffness * squared)};
 }
 
 template <class Real>
@@ -32,8 +32,8 @@ SweepView<Real> inputs_of(const Network& network, const State& state) {
     v.velocity_quantity = state.velocity_quantity();
     v.pooled_of_half = state.pooled.index();
     v.pooled = state.pooled.halves();
-    v.weights = state.merging.weights();
-    v.carried = state.merging.carried();
+    v.multiplicities = state.shared_edges.multiplicities();
+    v.represented = state.shared_edges.represented();
     v.limits = state.sensing.limits.by_edge();
     v.lowest_limit = state.sensing.limits.lowest();
     return v;
@@ -66,7 +66,7 @@ EntityForces forces_of(const Network& network, const State& state, std::span<con
     GatheredEntities<Real> gathered{};
     for (std::size_t lane = 0; lane < entities.size(); ++lane) {
         for (int c = 0; c < Hexahedron::corners; ++c) {
-            const Slot s = state.unions.slot(local_mass(entities[lane], c));
+            const LocalUnion s = state.unions.union_of(local_mass(entities[lane], c));
             const Vec3 u = state.displacement(s);
             const Vec3 w = state.velocity_increment(s);
             for (int i = 0; i < 3; ++i) {

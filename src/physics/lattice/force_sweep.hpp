@@ -11,10 +11,10 @@
 namespace cracksim::physics {
 
 /// The forces of the interactions of a row of entities, from its vertex rows and onto them, as a part of one sweep over all rows in
-/// ascending order. A union's force is the sum over its masses in ascending order of their ids, of what their entities carry
+/// ascending order. A union's force is the sum over its masses in ascending order of their ids, of what their entities represent
 /// (merging.hpp); it is whole after the last row that meets its vertex.
 ///
-/// F_i = [ k e + z (v_j - v_i).n ] n  with  d = d0 + u_j - u_i,  n = d/|d|,  e = |d| - L0, from the extension
+/// F_i = [ k e + z (v_j - v_i).n ] n  with  d = d0 + u_j - u_i,  n = d/|d|,  e = |d| - L0, from the quadratic_strain
 /// x = |d|^2/L0^2 - 1 = ((2 d0 + du).du) / L0^2, which is right however small: k e n = k g d with g = 1 - (1 + x)^(-1/2).
 class ForceSweep {
 public:

@@ -10,12 +10,12 @@ namespace cracksim::physics {
 namespace {
 
 /// Adds a corner of the entities of half a batch, as far as it is in the pool.
-void add_corner(const UnionTable& unions, const Motion& motion, std::size_t half, std::size_t corner,
+void add_corner(const Unions& unions, const Motion& motion, std::size_t half, std::size_t corner,
                 PooledCorners& found) {
     for (std::size_t lane = 0; lane < Lattice::half; ++lane) {
         const LocalEntity e = unions.lattice().entity(Site{static_cast<std::int32_t>(half * Lattice::half + lane)});
         const PoolPlace place =
-            e == LocalEntity{} ? PoolPlace{} : motion.pool_place(unions.slot(local_mass(e, static_cast<int>(corner))));
+            e == LocalEntity{} ? PoolPlace{} : motion.pool_place(unions.union_of(local_mass(e, static_cast<int>(corner))));
         if (place == PoolPlace{}) {
             continue;
         }
@@ -26,7 +26,7 @@ void add_corner(const UnionTable& unions, const Motion& motion, std::size_t half
     }
 }
 
-PooledCorners find_in(const UnionTable& unions, const Motion& motion, std::size_t half) {
+PooledCorners find_in(const Unions& unions, const Motion& motion, std::size_t half) {
     PooledCorners found{};
     found.in_base.fill(PooledCorners::all_lanes);
     for (const auto& [lower, upper] : Lattice::corners_of_side) {
@@ -38,7 +38,7 @@ PooledCorners find_in(const UnionTable& unions, const Motion& motion, std::size_
 
 }  // namespace
 
-void PooledHalves::find(const UnionTable& unions, const Motion& motion) {
+void PooledHalves::find(const Unions& unions, const Motion& motion) {
     halves_.clear();
     std::ranges::fill(index_, -1);
     for (std::size_t half = 0; half < index_.size(); ++half) {
@@ -46,7 +46,7 @@ void PooledHalves::find(const UnionTable& unions, const Motion& motion) {
     }
 }
 
-void PooledHalves::update(const UnionTable& unions, const Motion& motion, std::span<const VertexSite> vertices) {
+void PooledHalves::update(const Unions& unions, const Motion& motion, std::span<const VertexSite> vertices) {
     std::vector<std::size_t> halves;
     for (const VertexSite v : vertices) {
         unions.lattice().for_each_mass_at(v, [&](LocalMass m) {
@@ -62,7 +62,7 @@ void PooledHalves::update(const UnionTable& unions, const Motion& motion, std::s
     }
 }
 
-void PooledHalves::update_half(const UnionTable& unions, const Motion& motion, std::size_t half) {
+void PooledHalves::update_half(const Unions& unions, const Motion& motion, std::size_t half) {
     const PooledCorners found = find_in(unions, motion, half);
     std::int32_t& index = index_[half];
     if (index < 0 && found.count > 0) {

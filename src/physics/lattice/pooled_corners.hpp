@@ -19,7 +19,7 @@ struct PooledCorners {
     static constexpr std::size_t most = Hexahedron::corners * std::size_t{Lattice::half};
     static constexpr std::uint8_t all_lanes = (1U << Lattice::half) - 1;
 
-    /// By corner: a bit for each lane that is void or has that corner in the base plane.
+    /// By corner: a bit for each lane that is void or has that corner in the base layer.
     std::array<std::uint8_t, Hexahedron::corners> in_base;
     std::uint32_t count;
     std::array<PoolPlace, most> place;
@@ -35,11 +35,11 @@ public:
     explicit PooledHalves(const Lattice& lattice) : index_(lattice.halves(), -1) {}
 
     /// Looks at all entities. Unions whose motion this rank needs have memory.
-    void find(const UnionTable& unions, const Motion& motion);
+    void find(const Unions& unions, const Motion& motion);
     /// Looks at the entities at some vertices.
-    void update(const UnionTable& unions, const Motion& motion, std::span<const VertexSite> vertices);
+    void update(const Unions& unions, const Motion& motion, std::span<const VertexSite> vertices);
 
-    /// [half of a batch]: index into halves, -1 where all corners are in the base plane.
+    /// [half of a batch]: index into halves, -1 where all corners are in the base layer.
     [[nodiscard]] const std::int32_t* index() const { return index_.data(); }
     [[nodiscard]] const PooledCorners* halves() const { return halves_.data(); }
     [[nodiscard]] std::size_t memory_bytes() const {
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    void update_half(const UnionTable& unions, const Motion& motion, std::size_t half);
+    void update_half(const Unions& unions, const Motion& motion, std::size_t half);
 
     std::vector<std::int32_t> index_;
     std::vector<PooledCorners> halves_;

@@ -8,13 +8,13 @@ namespace cracksim::physics {
 
 namespace {
 
-std::size_t row_of(const UnionTable& unions, VertexSite v) {
+std::size_t row_of(const Unions& unions, VertexSite v) {
     return static_cast<std::size_t>(unions.lattice().vertex_row(v));
 }
 
 }  // namespace
 
-ReceivedUnions::ReceivedUnions(const Network& network, const UnionTable& unions)
+ReceivedUnions::ReceivedUnions(const Network& network, const Unions& unions)
     : masses_in_row_(unions.lattice().vertex_rows().size()), unions_in_row_(masses_in_row_.size()) {
     for (std::size_t i = 0; i < network.received().size(); ++i) {
         masses_in_row_[row_of(unions, unions.lattice().vertex(network.received()[i]))].push_back(i);
@@ -24,7 +24,7 @@ ReceivedUnions::ReceivedUnions(const Network& network, const UnionTable& unions)
     }
 }
 
-void ReceivedUnions::update(const Network& network, const UnionTable& unions, std::span<const VertexSite> vertices) {
+void ReceivedUnions::update(const Network& network, const Unions& unions, std::span<const VertexSite> vertices) {
     std::vector<std::size_t> rows;
     rows.reserve(vertices.size());
     for (const VertexSite v : vertices) {
@@ -36,14 +36,14 @@ void ReceivedUnions::update(const Network& network, const UnionTable& unions, st
     }
 }
 
-void ReceivedUnions::find_in_row(const Network& network, const UnionTable& unions, std::size_t row) {
+void ReceivedUnions::find_in_row(const Network& network, const Unions& unions, std::size_t row) {
     std::vector<Entry>& found = unions_in_row_[row];
     found.clear();
     for (const std::size_t i : masses_in_row_[row]) {
-        found.push_back({unions.slot(network.received()[i]), i});
+        found.push_back({unions.union_of(network.received()[i]), i});
     }
-    std::ranges::stable_sort(found, {}, &Entry::slot);
-    const auto same = [](const Entry& a, const Entry& b) { return a.slot == b.slot; };
+    std::ranges::stable_sort(found, {}, &Entry::local_union);
+    const auto same = [](const Entry& a, const Entry& b) { return a.local_union == b.local_union; };
     found.erase(std::unique(found.begin(), found.end(), same), found.end());
 }
 

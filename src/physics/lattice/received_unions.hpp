@@ -13,20 +13,20 @@ namespace cracksim::physics {
 class ReceivedUnions {
 public:
     struct Entry {
-        Slot slot;
+        LocalUnion local_union;
         std::size_t mass;  ///< index into Network::received
     };
 
-    ReceivedUnions(const Network& network, const UnionTable& unions);
+    ReceivedUnions(const Network& network, const Unions& unions);
 
     /// Masses at these vertices have new labels.
-    void update(const Network& network, const UnionTable& unions, std::span<const VertexSite> vertices);
+    void update(const Network& network, const Unions& unions, std::span<const VertexSite> vertices);
     /// Those at a row of vertices, each once.
     [[nodiscard]] std::span<const Entry> in_row(std::size_t row) const { return unions_in_row_[row]; }
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
-    void find_in_row(const Network& network, const UnionTable& unions, std::size_t row);
+    void find_in_row(const Network& network, const Unions& unions, std::size_t row);
 
     std::vector<std::vector<std::size_t>> masses_in_row_;  ///< indices into Network::received
     std::vector<std::vector<Entry>> unions_in_row_;

@@ -14,8 +14,8 @@ namespace cracksim::physics {
 struct EdgeCopy {
     LocalEntity entity;
     int edge;
-    int lower_label;  ///< of the masses at its ends
-    int upper_label;
+    int lower_part;  ///< of the masses at its ends
+    int upper_part;
 };
 
 /// The up to four local copies of an edge, by ascending entity.
@@ -24,12 +24,12 @@ struct EdgeCopies {
     std::size_t count{0};
 
     [[nodiscard]] static bool merged(const EdgeCopy& a, const EdgeCopy& b) {
-        return a.lower_label == b.lower_label && a.upper_label == b.upper_label;
+        return a.lower_part == b.lower_part && a.upper_part == b.upper_part;
     }
 };
 
 /// The copies of the edge that goes up along an axis from a vertex.
-[[nodiscard]] EdgeCopies edge_copies(const UnionTable& unions, VertexSite lower, int axis);
+[[nodiscard]] EdgeCopies edge_copies(const Unions& unions, VertexSite lower, int axis);
 
 /// The corner is at the lower ends of its entity's edges along an axis.
 [[nodiscard]] constexpr bool is_lower(int corner, int axis) {
@@ -50,11 +50,11 @@ void for_each_edge_at(const Lattice& lattice, VertexSite v, auto&& action) {
     }
 }
 
-/// What an entity of an intact block carries: its diagonals and, of its edges, those that no smaller entity shares. first_x,
+/// What an entity of an intact block represents: its diagonals and, of its edges, those that no smaller entity shares. first_x,
 /// first_y, first_z: no entity is before it along that axis.
-[[nodiscard]] constexpr unsigned carried_if_intact(bool first_x, bool first_y, bool first_z) {
+[[nodiscard]] constexpr unsigned represented_if_intact(bool first_x, bool first_y, bool first_z) {
     const std::array<bool, 3> first{first_x, first_y, first_z};
-    unsigned carried = 0;
+    unsigned represented = 0;
     for (std::size_t i = 0; i < HexahedronPairs::count; ++i) {
         const auto [a, b] = HexahedronPairs::corners[i];
         bool is_smallest = true;
@@ -63,75 +63,75 @@ void for_each_edge_at(const Lattice& lattice, VertexSite v, auto&& action) {
                 is_lower(a, axis) && is_lower(b, axis) && !first[static_cast<std::size_t>(axis)];
             is_smallest = is_smallest && !is_shared_with_smaller;
         }
-        carried |= is_smallest ? 1U << i : 0U;
+        represented |= is_smallest ? 1U << i : 0U;
     }
-    return carried;
+    return represented;
 }
 
 /// Entities that share an edge and the unions at both its ends have the same visco-elastic interaction along it. The smallest of them
-/// carries it, for all: its force is computed once and counted as often. Who carries what follows from the split state alone.
-class Merging {
+/// represents it, for all: its force is computed once and counted as often. Who represents what follows from the split state alone.
+class SharedEdges {
 public:
-    /// The rows of a batch's weights: its interactions, then 1 for the entities that this rank owns.
+    /// The rows of a batch's multiplicities: its interactions, then 1 for the entities that this rank owns.
     static constexpr std::size_t rows = HexahedronPairs::count + 1;
     static constexpr std::size_t owned_row = HexahedronPairs::count;
     static constexpr std::size_t bytes_per_batch = rows * Lattice::lanes;
 
-    Merging(const Network& network, const UnionTable& unions);
+    SharedEdges(const Network& network, const Unions& unions);
 
-    /// How many entities' interaction this is that e carries: 0 if another one carries it, or if no union at its ends is advanced here.
-    [[nodiscard]] int weight(const UnionTable& unions, LocalEntity e, int interaction) const {
-        return weight_[place(unions, e, static_cast<std::size_t>(interaction))];
+    /// How many entities' interaction this is that e represents: 0 if another one represents it, or if no union at its ends is advanced here.
+    [[nodiscard]] int multiplicity(const Unions& unions, LocalEntity e, int interaction) const {
+        return multiplicity_[place(unions, e, static_cast<std::size_t>(interaction))];
     }
     /// Brings the edges at a vertex up to date with the labels of its masses.
-    void update(const UnionTable& unions, VertexSite v);
+    void update(const Unions& unions, VertexSite v);
 
     /// [batch][row][lane]
-    [[nodiscard]] const std::uint8_t* weights() const { return weight_.data(); }
-    /// [half of a batch]: bit i is set where some entity carries interaction i; bit `full` where no lane is void and all diagonals
-    /// are carried; bit `inside` where besides all carry just what entities inside an intact block do, and are this rank's.
-    [[nodiscard]] const std::uint32_t* carried() const { return carried_.data(); }
+    [[nodiscard]] const std::uint8_t* multiplicities() const { return multiplicity_.data(); }
+    /// [half of a batch]: bit i is set where some entity represents interaction i; bit `full` where no lane is void and all diagonals
+    /// are represented; bit `inside` where besides all represent just what entities inside an intact block do, and are this rank's.
+    [[nodiscard]] const std::uint32_t* represented() const { return represented_.data(); }
     static constexpr unsigned full = HexahedronPairs::count;
-    static constexpr unsigned inside = full + 1;
-    static constexpr unsigned properties = 1U << full | 1U << inside;
+    static constexpr unsigned interior = full + 1;
+    static constexpr unsigned properties = 1U << full | 1U << interior;
     /// Inside, the edges at corner 6, each for the four that share it, and the diagonals.
-    static constexpr unsigned inside_list = carried_if_intact(false, false, false);
-    static_assert(inside_list == (1U << 3U | 1U << 7U | 1U << 10U | 0xfU << unsigned{HexahedronPairs::edges}));
+    static constexpr unsigned interior_list = represented_if_intact(false, false, false);
+    static_assert(interior_list == (1U << 3U | 1U << 7U | 1U << 10U | 0xfU << unsigned{HexahedronPairs::edges}));
     /// [row]
-    static constexpr std::array<std::uint8_t, rows> inside_weights = [] {
-        std::array<std::uint8_t, rows> weights{};
+    static constexpr std::array<std::uint8_t, rows> interior_multiplicities = [] {
+        std::array<std::uint8_t, rows> multiplicities{};
         for (std::size_t row = 0; row < rows; ++row) {
             const bool is_shared = row < HexahedronPairs::edges;
-            const bool is_carried = (inside_list >> row & 1U) != 0;
-            weights[row] = !is_shared ? 1 : is_carried ? 4 : 0;
+            const bool is_carried = (interior_list >> row & 1U) != 0;
+            multiplicities[row] = !is_shared ? 1 : is_carried ? 4 : 0;
         }
-        return weights;
+        return multiplicities;
     }();
 
     [[nodiscard]] std::size_t memory_bytes() const {
-        return weight_.capacity() + carried_.capacity() * sizeof(std::uint32_t);
+        return multiplicity_.capacity() + represented_.capacity() * sizeof(std::uint32_t);
     }
 
 private:
     [[nodiscard]] static std::size_t place(std::size_t site, std::size_t row) {
         return site / Lattice::lanes * bytes_per_batch + row * Lattice::lanes + site % Lattice::lanes;
     }
-    [[nodiscard]] static std::size_t place(const UnionTable& unions, LocalEntity e, std::size_t row) {
+    [[nodiscard]] static std::size_t place(const Unions& unions, LocalEntity e, std::size_t row) {
         return place(unions.lattice().site(e).index(), row);
     }
-    /// The weights of half a batch.
+    /// The multiplicities of half a batch.
     [[nodiscard]] std::vector<std::uint8_t>::const_iterator lanes_of(std::size_t half, std::size_t row) const {
-        return weight_.begin() + static_cast<std::ptrdiff_t>(place(half * Lattice::half, row));
+        return multiplicity_.begin() + static_cast<std::ptrdiff_t>(place(half * Lattice::half, row));
     }
-    void set_weight(const UnionTable& unions, LocalEntity e, int interaction, int weight);
+    void set_multiplicity(const Unions& unions, LocalEntity e, int interaction, int multiplicity);
     void find_full_halves();
-    void find_inside(std::size_t half);
-    /// All lanes of half a batch have this weight.
-    [[nodiscard]] bool all_weigh(std::size_t half, std::size_t row, std::uint8_t weight) const;
-    void update_edge(const UnionTable& unions, VertexSite lower, int axis);
+    void find_interior(std::size_t half);
+    /// All lanes of half a batch have this multiplicity.
+    [[nodiscard]] bool all_have(std::size_t half, std::size_t row, std::uint8_t multiplicity) const;
+    void update_edge(const Unions& unions, VertexSite lower, int axis);
 
-    std::vector<std::uint8_t> weight_;
-    std::vector<std::uint32_t> carried_;
+    std::vector<std::uint8_t> multiplicity_;
+    std::vector<std::uint32_t> represented_;
 };
 
 }  // namespace cracksim::physics

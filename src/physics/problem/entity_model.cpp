@@ -4,8 +4,8 @@
 
 namespace cracksim::physics {
 
-EntityModel::EntityModel(Vec3 edge, double mass, Elasticity edges, Elasticity diagonals)
-    : corner_mass{mass}, rest_corner{}, elasticity{}, rest{}, rest_length{} {
+EntityModel::EntityModel(Vec3 edge, double mass, KelvinVoigt edges, KelvinVoigt diagonals)
+    : corner_mass{mass}, rest_corner{}, interaction{}, rest{}, rest_length{} {
     CRACKSIM_EXPECT(edge.x > 0 && edge.y > 0 && edge.z > 0 && mass > 0);
     for (std::size_t c = 0; c < rest_corner.size(); ++c) {
         const auto& o = Hexahedron::offset[c];
@@ -13,7 +13,7 @@ EntityModel::EntityModel(Vec3 edge, double mass, Elasticity edges, Elasticity di
     }
     for (std::size_t i = 0; i < rest.size(); ++i) {
         const auto [a, b] = HexahedronPairs::corners[i];
-        elasticity[i] = i < HexahedronPairs::edges ? edges : diagonals;
+        interaction[i] = i < HexahedronPairs::edges ? edges : diagonals;
         rest[i] = rest_corner[static_cast<std::size_t>(b)] - rest_corner[static_cast<std::size_t>(a)];
         rest_length[i] = norm(rest[i]);
     }

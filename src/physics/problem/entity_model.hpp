@@ -9,11 +9,11 @@
 namespace cracksim::physics {
 
 /// Stiffness in N/m and viscosity in N s/m of a visco-elastic interaction.
-struct Elasticity {
+struct KelvinVoigt {
     double stiffness{0};
     double viscosity{0};
 
-    friend bool operator==(const Elasticity&, const Elasticity&) = default;
+    friend bool operator==(const KelvinVoigt&, const KelvinVoigt&) = default;
 };
 
 /// The interactions of a hexahedron as pairs of corners: four edges along x, four along y, four along z, four diagonals.
@@ -63,11 +63,11 @@ private:
 /// The smallest physical piece, the same everywhere in the block: masses at the corners of a box, 16 interactions.
 struct EntityModel {
     /// edge: lengths of the box, m; corner_mass: kg at each corner.
-    EntityModel(Vec3 edge, double corner_mass, Elasticity edges, Elasticity diagonals);
+    EntityModel(Vec3 edge, double corner_mass, KelvinVoigt edges, KelvinVoigt diagonals);
 
     double corner_mass;
     std::array<Vec3, Hexahedron::corners> rest_corner;  ///< m, from corner 0
-    std::array<Elasticity, HexahedronPairs::count> elasticity;
+    std::array<KelvinVoigt, HexahedronPairs::count> interaction;
     std::array<Vec3, HexahedronPairs::count> rest;           ///< d0 = second corner minus first, m
     std::array<double, HexahedronPairs::count> rest_length;  ///< L0, m
 };

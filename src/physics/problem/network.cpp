@@ -25,7 +25,7 @@ Network::Network(const Block& block, const EntityModel& model, IdArray<LocalEnti
       supports_{std::move(supports)} {
     CRACKSIM_EXPECT(std::ranges::is_sorted(entities_.span()) && owned_.size() == entities_.size());
     find_received();
-    find_interfaces();
+    find_interior_faces();
     find_duplets(duplets);
     set_thresholds(thresholds);
 }
@@ -40,8 +40,8 @@ void Network::find_received() {
     received_.shrink_to_fit();
 }
 
-void Network::find_interfaces() {
-    interface_of_face_.assign(entities_.size() * Hexahedron::faces, -1);
+void Network::find_interior_faces() {
+    interior_face_of_face_.assign(entities_.size() * Hexahedron::faces, -1);
     for (LocalEntity a{0}; a.value() < entity_count(); ++a) {
         for (int face = 0; face < Hexahedron::faces; ++face) {
             const auto other = block_.neighbour(entities_[a], face);
@@ -53,14 +53,14 @@ void Network::find_interfaces() {
                 continue;
             }
             const LocalEntity b = *found;
-            const auto index = static_cast<std::int32_t>(interfaces_.size());
-            interface_of_face_[a.index() * Hexahedron::faces + static_cast<std::size_t>(face)] = index;
-            interface_of_face_[b.index() * Hexahedron::faces + static_cast<std::size_t>(other->face)] = index;
-            interfaces_.push_back({a, b, static_cast<std::uint8_t>(face), static_cast<std::uint8_t>(other->face),
+            const auto index = static_cast<std::int32_t>(interior_faces_.size());
+            interior_face_of_face_[a.index() * Hexahedron::faces + static_cast<std::size_t>(face)] = index;
+            interior_face_of_face_[b.index() * Hexahedron::faces + static_cast<std::size_t>(other->face)] = index;
+            interior_faces_.push_back({a, b, static_cast<std::uint8_t>(face), static_cast<std::uint8_t>(other->face),
                                    static_cast<std::uint8_t>(other->rotation)});
         }
     }
-    interfaces_.shrink_to_fit();
+    interior_faces_.shrink_to_fit();
 }
 
 std::optional<Tie> Network::tie_over(LocalMass m, int face) const {
@@ -68,14 +68,14 @@ std::optional<Tie> Network::tie_over(LocalMass m, int face) const {
     if (!duplet) {
         return std::nullopt;
     }
-    const Interface& shared = interfaces_[duplet->index() / duplets_per_interface];
-    const int k = duplet->value() % duplets_per_interface;
+    const InteriorFace& shared = interior_faces_[duplet->index() / duplets_per_face];
+    const int k = duplet->value() % duplets_per_face;
     return Tie{*duplet, shared.a == entity_of(m) ? local_mass(shared.b, shared.corner_b(k))
                                                  : local_mass(shared.a, shared.corner_a(k))};
 }
 
 void Network::find_duplets(Duplets duplets) {
-    touched_duplets_.assign(interfaces_.size(), 0);
+    touched_duplets_.assign(interior_faces_.size(), 0);
     for_each_union([&](std::span<const LocalMass> masses) {
         if (duplets == Duplets::tree) {
             add_tree(masses);
@@ -92,8 +92,8 @@ void Network::find_duplets(Duplets duplets) {
 }
 
 void Network::add_duplet(LocalDuplet duplet) {
-    auto& places = touched_duplets_[duplet.index() / duplets_per_interface];
-    places = static_cast<std::uint8_t>(places | (1U << duplet.index() % duplets_per_interface));
+    auto& places = touched_duplets_[duplet.index() / duplets_per_face];
+    places = static_cast<std::uint8_t>(places | (1U << duplet.index() % duplets_per_face));
 }
 
 void Network::add_tree(std::span<const LocalMass> masses) {
@@ -116,16 +116,16 @@ void Network::add_tree(std::span<const LocalMass> masses) {
 
 void Network::set_thresholds(const Thresholds& thresholds) {
     bool is_first = true;
-    for (std::size_t i = 0; i < interfaces_.size(); ++i) {
-        for (int k = 0; k < duplets_per_interface; ++k) {
+    for (std::size_t i = 0; i < interior_faces_.size(); ++i) {
+        for (int k = 0; k < duplets_per_face; ++k) {
             if (!has_touched_duplet(static_cast<std::int32_t>(i), k)) {
                 continue;
             }
-            const LocalMass a = local_mass(interfaces_[i].a, interfaces_[i].corner_a(k));
-            const LocalMass b = local_mass(interfaces_[i].b, interfaces_[i].corner_b(k));
+            const LocalMass a = local_mass(interior_faces_[i].a, interior_faces_[i].corner_a(k));
+            const LocalMass b = local_mass(interior_faces_[i].b, interior_faces_[i].corner_b(k));
             const Vec3 at = rest_position(a);
             const double value = thresholds.of(mass(a), mass(b), at);
-            set_threshold(LocalDuplet{static_cast<std::int32_t>(i) * duplets_per_interface + k}, value, is_first);
+            set_threshold(LocalDuplet{static_cast<std::int32_t>(i) * duplets_per_face + k}, value, is_first);
             is_first = false;
             if (!(value > 0) && !invalid_threshold_) {
                 invalid_threshold_ = "the threshold at x = " + rounded(at.x, 6) + ", y = " + rounded(at.y, 6) +
@@ -141,7 +141,7 @@ void Network::set_threshold(LocalDuplet duplet, double threshold, bool is_first)
     if (is_first) {
         uniform_threshold_ = threshold;
     } else if (threshold_.empty() && threshold != uniform_threshold_) {
-        threshold_.assign(interfaces_.size() * duplets_per_interface, uniform_threshold_);
+        threshold_.assign(interior_faces_.size() * duplets_per_face, uniform_threshold_);
     }
     if (!threshold_.empty()) {
         threshold_[duplet.index()] = threshold;
@@ -149,8 +149,8 @@ void Network::set_threshold(LocalDuplet duplet, double threshold, bool is_first)
 }
 
 std::size_t Network::memory_bytes() const {
-    return entities_.bytes() + owned_.bytes() + interfaces_.capacity() * sizeof(Interface) +
-           interface_of_face_.capacity() * sizeof(std::int32_t) + threshold_.capacity() * sizeof(double) +
+    return entities_.bytes() + owned_.bytes() + interior_faces_.capacity() * sizeof(InteriorFace) +
+           interior_face_of_face_.capacity() * sizeof(std::int32_t) + threshold_.capacity() * sizeof(double) +
            touched_duplets_.capacity() + lattice_->memory_bytes() + received_.capacity() * sizeof(LocalMass);
 }
 

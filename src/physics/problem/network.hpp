@@ -19,12 +19,12 @@
 
 namespace cracksim::physics {
 
-/// A duplet on this rank: 4 * interface + k.
+/// A duplet on this rank: 4 * interior face + k.
 using LocalDuplet = Id<struct LocalDupletTag, std::int32_t>;
 
 /// Two entities that share a face. Duplet k ties the masses at corner k of a's face and at the corner it meets on b's.
 /// a is the smaller entity.
-struct Interface {
+struct InteriorFace {
     LocalEntity a;
     LocalEntity b;
     std::uint8_t face_a;
@@ -73,7 +73,7 @@ struct Tie {
 /// Starting unions are the masses that meet at a vertex, with either kind of duplets.
 class Network {
 public:
-    static constexpr int duplets_per_interface = Hexahedron::face_corners;
+    static constexpr int duplets_per_face = Hexahedron::face_corners;
 
     /// entities: local ones, ascending; owned: 1 where this rank is the owner. Errors found in thresholds are kept for
     /// the caller to agree on with the other ranks: see invalid_threshold().
@@ -94,36 +94,36 @@ public:
         return block_.position(entities_[entity_of(m)], corner_of(m));
     }
 
-    [[nodiscard]] const std::vector<Interface>& interfaces() const { return interfaces_; }
-    /// Index of the interface on a face of an entity; -1 on the block's boundary or where the neighbour is not local.
-    [[nodiscard]] std::int32_t interface_at(LocalEntity e, int face) const {
-        return interface_of_face_[e.index() * Hexahedron::faces + static_cast<std::size_t>(face)];
+    [[nodiscard]] const std::vector<InteriorFace>& interior_faces() const { return interior_faces_; }
+    /// Index of the interior face on a face of an entity; -1 on the block's boundary or where the neighbour is not local.
+    [[nodiscard]] std::int32_t interior_face_at(LocalEntity e, int face) const {
+        return interior_face_of_face_[e.index() * Hexahedron::faces + static_cast<std::size_t>(face)];
     }
-    /// The duplet that would tie a mass over a face of its entity; none where there is no interface or the mass is not on the face.
+    /// The duplet that would tie a mass over a face of its entity; none where there is no interior face or the mass is not on the face.
     [[nodiscard]] std::optional<LocalDuplet> duplet_over(LocalMass m, int face) const {
         const LocalEntity e = entity_of(m);
-        const std::int32_t index = interface_at(e, face);
+        const std::int32_t index = interior_face_at(e, face);
         if (index < 0) {
             return std::nullopt;
         }
-        const Interface& shared = interfaces_[static_cast<std::size_t>(index)];
+        const InteriorFace& shared = interior_faces_[static_cast<std::size_t>(index)];
         const int k = shared.a == e ? shared.duplet_at_a(corner_of(m)) : shared.duplet_at_b(corner_of(m));
-        return k < 0 ? std::nullopt : std::optional{LocalDuplet{index * duplets_per_interface + k}};
+        return k < 0 ? std::nullopt : std::optional{LocalDuplet{index * duplets_per_face + k}};
     }
-    /// The mass that meets this one over a face, and the duplet that would tie them; none where there is no interface or
+    /// The mass that meets this one over a face, and the duplet that would tie them; none where there is no interior face or
     /// the mass is not on the face.
     [[nodiscard]] std::optional<Tie> tie_over(LocalMass m, int face) const;
     /// Threshold, a stretch, of a duplet that ties masses of a touched union.
     [[nodiscard]] double threshold(LocalDuplet d) const {
-        CRACKSIM_EXPECT(has_touched_duplet(d.value() / duplets_per_interface, d.value() % duplets_per_interface));
+        CRACKSIM_EXPECT(has_touched_duplet(d.value() / duplets_per_face, d.value() % duplets_per_face));
         return threshold_.empty() ? uniform_threshold_ : threshold_[d.index()];
     }
-    /// Bit k is set where duplet k of an interface exists and ties masses of a touched union.
-    [[nodiscard]] std::uint8_t touched_duplets(std::int32_t interface) const {
-        return touched_duplets_[static_cast<std::size_t>(interface)];
+    /// Bit k is set where duplet k of an interior face exists and ties masses of a touched union.
+    [[nodiscard]] std::uint8_t touched_duplets(std::int32_t interior_face) const {
+        return touched_duplets_[static_cast<std::size_t>(interior_face)];
     }
-    [[nodiscard]] bool has_touched_duplet(std::int32_t interface, int k) const {
-        return ((static_cast<unsigned>(touched_duplets(interface)) >> static_cast<unsigned>(k)) & 1U) != 0;
+    [[nodiscard]] bool has_touched_duplet(std::int32_t interior_face, int k) const {
+        return ((static_cast<unsigned>(touched_duplets(interior_face)) >> static_cast<unsigned>(k)) & 1U) != 0;
     }
 
     [[nodiscard]] const Lattice& lattice() const { return *lattice_; }
@@ -167,7 +167,7 @@ private:
             }
         }
     }
-    void find_interfaces();
+    void find_interior_faces();
     void find_duplets(Duplets duplets);
     void add_duplet(LocalDuplet duplet);
     void add_tree(std::span<const LocalMass> masses);
@@ -180,8 +180,8 @@ private:
     IdArray<LocalEntity, std::uint8_t> owned_;
     std::shared_ptr<const Lattice> lattice_;
     std::vector<Support> supports_;
-    std::vector<Interface> interfaces_;
-    std::vector<std::int32_t> interface_of_face_;
+    std::vector<InteriorFace> interior_faces_;
+    std::vector<std::int32_t> interior_face_of_face_;
     std::vector<double> threshold_;  ///< by duplet; empty: all are uniform_threshold_
     double uniform_threshold_{0};
     std::vector<std::uint8_t> touched_duplets_;

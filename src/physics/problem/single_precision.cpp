@@ -23,17 +23,17 @@ bool is_fit(double value) { return value == 0 || (std::abs(value) < largest && s
 }  // namespace
 
 std::optional<std::string> unfit_for_single_precision(const EntityModel& model, double step_size) {
-    const double mobility = step_size * step_size / model.corner_mass;
+    const double dt2_over_mass = step_size * step_size / model.corner_mass;
     for (std::size_t i = 0; i < HexahedronPairs::count; ++i) {
         const double squared = model.rest_length[i] * model.rest_length[i];
-        const auto& [stiffness, viscosity] = model.elasticity[i];
+        const auto& [stiffness, viscosity] = model.interaction[i];
         const std::array numbers{
             Number{"the square of a rest length", squared, "m2"},
             Number{"the stiffness of an interaction", stiffness, "N/m"},
             Number{"the viscosity of an interaction over step and squared length", viscosity / (step_size * squared),
                    "N/m3"},
             Number{"the energy of an interaction stretched by its length", stiffness * squared, "J"},
-            Number{"the squared step over a mass", mobility, "s2/kg"}};
+            Number{"the squared step over a mass", dt2_over_mass, "s2/kg"}};
         for (const Number& number : numbers) {
             if (!is_fit(number.value)) {
                 return std::string{number.name} + ", " + rounded(number.value, 6) + " " + number.unit;

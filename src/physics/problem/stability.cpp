@@ -10,11 +10,11 @@ namespace {
 
 using Matrix = Eigen::Matrix<double, Hexahedron::corners, Hexahedron::corners>;
 
-Matrix laplacian(const EntityModel& model, double Elasticity::*coefficient) {
+Matrix laplacian(const EntityModel& model, double KelvinVoigt::*coefficient) {
     Matrix matrix = Matrix::Zero();
-    for (std::size_t i = 0; i < model.elasticity.size(); ++i) {
+    for (std::size_t i = 0; i < model.interaction.size(); ++i) {
         const auto [a, b] = HexahedronPairs::corners[i];
-        const double value = model.elasticity[i].*coefficient;
+        const double value = model.interaction[i].*coefficient;
         matrix(a, a) += value;
         matrix(b, b) += value;
         matrix(a, b) -= value;
@@ -35,8 +35,8 @@ double positive_root(double a, double b) { return 8.0 / (b + std::sqrt(b * b + 1
 }  // namespace
 
 StepBound step_bound(const EntityModel& model, Scheme scheme) {
-    const Matrix stiffness = laplacian(model, &Elasticity::stiffness) / model.corner_mass;
-    const Matrix viscosity = damping_weight(scheme) * laplacian(model, &Elasticity::viscosity) / model.corner_mass;
+    const Matrix stiffness = laplacian(model, &KelvinVoigt::stiffness) / model.corner_mass;
+    const Matrix viscosity = damping_weight(scheme) * laplacian(model, &KelvinVoigt::viscosity) / model.corner_mass;
     const double a = largest_eigenvalue(stiffness);
     const double b = largest_eigenvalue(viscosity);
     // The largest eigenvalue of the sum is at most the sum of the largest, so this root is safe; bisection finds the exact one.
@@ -50,13 +50,13 @@ StepBound step_bound(const EntityModel& model, Scheme scheme) {
     return {safe, safe * safe * a >= safe * b ? "stiffness" : "viscosity"};
 }
 
-double hexahedron_step_bound(double corner_mass, Elasticity edges, Elasticity diagonals, Scheme scheme) {
+double hexahedron_step_bound(double corner_mass, KelvinVoigt edges, KelvinVoigt diagonals, Scheme scheme) {
     return positive_root((6 * edges.stiffness + 2 * diagonals.stiffness) / corner_mass,
                          damping_weight(scheme) * (6 * edges.viscosity + 2 * diagonals.viscosity) / corner_mass);
 }
 
 bool has_viscosity(const EntityModel& model) {
-    return std::ranges::any_of(model.elasticity, [](const Elasticity& e) { return e.viscosity > 0; });
+    return std::ranges::any_of(model.interaction, [](const KelvinVoigt& e) { return e.viscosity > 0; });
 }
 
 double automatic_step(const EntityModel& model, const StepBound& bound) {

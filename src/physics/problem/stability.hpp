@@ -22,7 +22,7 @@ struct StepBound {
 
 /// The same for a hexahedron in closed form: dt^2 (6 k1 + 2 k3) + c dt (6 z1 + 2 z3) < 4 m with edges k1, z1 and diagonals
 /// k3, z3. It checks step_bound.
-[[nodiscard]] double hexahedron_step_bound(double corner_mass, Elasticity edges, Elasticity diagonals, Scheme scheme);
+[[nodiscard]] double hexahedron_step_bound(double corner_mass, KelvinVoigt edges, KelvinVoigt diagonals, Scheme scheme);
 
 /// The step that `auto` takes: 0.9 of the bound, 0.5 without viscosity (undamped scenes heat slowly below the bound).
 [[nodiscard]] double automatic_step(const EntityModel& model, const StepBound& bound);

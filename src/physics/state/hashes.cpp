@@ -19,7 +19,7 @@ std::uint64_t hash(const DupletEvent& event) {
 }
 
 std::uint64_t motion_hash(const State& state, LocalMass m) {
-    const Slot s = state.unions.slot(m);
+    const LocalUnion s = state.unions.union_of(m);
     const std::uint64_t h = mix(mix(0, state.displacement(s)), state.increment(s));
     return state.scheme == Scheme::ab2 ? mix(h, state.velocity_increment(s)) : h;
 }

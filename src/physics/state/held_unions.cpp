@@ -10,8 +10,8 @@ namespace {
 
 constexpr const char* axis_name = "xyz";
 
-Held held_at(const Network& network, Slot s, Vec3 rest) {
-    Held held{s, rest, {-1, -1, -1}};
+HeldUnion held_at(const Network& network, LocalUnion s, Vec3 rest) {
+    HeldUnion held{s, rest, {-1, -1, -1}};
     for (std::size_t i = network.supports().size(); i-- > 0;) {
         const Support& support = network.supports()[i];
         for (std::size_t axis = 0; axis < 3 && support.holds(rest); ++axis) {
@@ -45,13 +45,13 @@ std::optional<std::string> conflict_at(const Network& network, LocalMass m) {
 
 }  // namespace
 
-std::vector<Held> find_held(const Network& network, const UnionTable& unions) {
-    std::vector<Held> all;
+std::vector<HeldUnion> find_held_unions(const Network& network, const Unions& unions) {
+    std::vector<HeldUnion> all;
     if (network.supports().empty()) {
         return all;
     }
-    unions.for_each_advanced([&](Slot s, LocalMass smallest) {
-        const Held held = held_at(network, s, network.rest_position(smallest));
+    unions.for_each_advanced([&](LocalUnion s, LocalMass smallest) {
+        const HeldUnion held = held_at(network, s, network.rest_position(smallest));
         if (std::ranges::any_of(held.support, [](int support) { return support >= 0; })) {
             all.push_back(held);
         }
@@ -78,12 +78,12 @@ double velocity_at(const std::function<double(Vec3, double)>& velocity, Vec3 res
 
 }  // namespace
 
-Vec3 prescribed(const Network& network, const State& state, Slot s, Vec3 free, double offset) {
+Vec3 prescribed(const Network& network, const State& state, LocalUnion s, Vec3 free, double offset) {
     const auto found = state.held_of_slot.find(s);
     if (found == state.held_of_slot.end()) {
         return free;
     }
-    const Held& held = state.held[found->second];
+    const HeldUnion& held = state.held[found->second];
     const double t = (static_cast<double>(state.step) + offset) * state.step_size;
     for (int axis = 0; axis < 3; ++axis) {
         const int support = held.support[static_cast<std::size_t>(axis)];

@@ -5,8 +5,8 @@ namespace cracksim::physics {
 namespace {
 
 /// dt v(n).
-Vec3 centred_increment(const State& state, Slot s) {
-    const Vec3 half_kick = 0.5 * state.mobility(s) * state.force(s);
+Vec3 centred_increment(const State& state, LocalUnion s) {
+    const Vec3 half_kick = 0.5 * state.dt2_over_mass(s) * state.force(s);
     Vec3 increment = state.increment(s);
     const auto held = state.held.empty() ? state.held_of_slot.end() : state.held_of_slot.find(s);
     for (int axis = 0; axis < 3; ++axis) {
@@ -32,10 +32,10 @@ bool owns_all(const Network& network) {
 double kinetic_energy(const Network& network, const State& state) {
     double energy = 0;
     const bool alone = owns_all(network);
-    state.unions.for_each_advanced_slot([&](Slot s) {
+    state.unions.for_each_advanced_union([&](LocalUnion s) {
         if (alone || network.owned(entity_of(state.unions.smallest_of_advanced(s)))) {
             const Vec3 increment = centred_increment(state, s);
-            energy += 0.5 * dot(increment, increment) / state.mobility(s);
+            energy += 0.5 * dot(increment, increment) / state.dt2_over_mass(s);
         }
     });
     return energy;

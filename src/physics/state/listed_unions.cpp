@@ -8,24 +8,24 @@
 
 namespace cracksim::physics {
 
-ListedUnions::ListedUnions(const UnionTable& unions, std::vector<LocalMass> masses) : masses_{std::move(masses)} {
+ListedUnions::ListedUnions(const Unions& unions, std::vector<LocalMass> masses) : masses_{std::move(masses)} {
     std::unordered_map<VertexSite, std::uint32_t> last_at;
     for (std::uint32_t place = 0; place < masses_.size(); ++place) {
         const VertexSite v = unions.lattice().vertex(masses_[place]);
         vertex_.push_back(v);
-        label_.push_back(static_cast<std::uint8_t>(unions.label(masses_[place])));
+        part_.push_back(static_cast<std::uint8_t>(unions.part(masses_[place])));
         const auto [last, is_first] = last_at.try_emplace(v, place);
         before_.push_back(is_first ? none : std::exchange(last->second, place));
     }
     find_entries();
 }
 
-std::vector<ListedUnions::Relabelled> ListedUnions::update(const UnionTable& unions) {
-    std::vector<Relabelled> relabelled;
+std::vector<ListedUnions::NewPart> ListedUnions::update(const Unions& unions) {
+    std::vector<NewPart> relabelled;
     for (std::uint32_t place = 0; place < masses_.size(); ++place) {
-        const auto label = static_cast<std::uint8_t>(unions.label(masses_[place]));
-        if (label != label_[place]) {
-            label_[place] = label;
+        const auto label = static_cast<std::uint8_t>(unions.part(masses_[place]));
+        if (label != part_[place]) {
+            part_[place] = label;
             relabelled.push_back({place, label});
         }
     }
@@ -38,21 +38,21 @@ std::vector<ListedUnions::Relabelled> ListedUnions::update(const UnionTable& uni
 void ListedUnions::find_entries() {
     constexpr unsigned bits = 53;
     std::uint64_t labels = 0;
-    for (const std::uint8_t label : label_) {
+    for (const std::uint8_t label : part_) {
         labels = mix(labels + label);
     }
     fingerprint_ = labels >> (std::numeric_limits<std::uint64_t>::digits - bits);
     entries_.clear();
     for (std::uint32_t place = 0; place < masses_.size(); ++place) {
         if (!is_listed_before(place)) {
-            entries_.push_back({slot_of(vertex_[place], label_[place]), place});
+            entries_.push_back({local_union(vertex_[place], part_[place]), place});
         }
     }
 }
 
 bool ListedUnions::is_listed_before(std::size_t place) const {
     for (std::uint32_t other = before_[place]; other != none; other = before_[other]) {
-        if (label_[other] == label_[place]) {
+        if (part_[other] == part_[place]) {
             return true;
         }
     }

@@ -13,10 +13,10 @@ namespace cracksim::physics {
 class ListedUnions {
 public:
     struct Entry {
-        Slot slot;
+        LocalUnion local_union;
         std::uint32_t first;  ///< place of the first mass in the list
     };
-    struct Relabelled {
+    struct NewPart {
         std::uint32_t place;  ///< of a mass in the list
         std::uint8_t label;
     };
@@ -25,14 +25,14 @@ public:
     static constexpr std::size_t bytes_per_mass =
         sizeof(LocalMass) + sizeof(VertexSite) + sizeof(std::uint8_t) + sizeof(std::uint32_t) + sizeof(Entry);
 
-    ListedUnions(const UnionTable& unions, std::vector<LocalMass> masses);
+    ListedUnions(const Unions& unions, std::vector<LocalMass> masses);
 
     [[nodiscard]] std::span<const LocalMass> masses() const { return masses_; }
     [[nodiscard]] std::span<const Entry> entries() const { return entries_; }
     /// Of the masses' labels, 53 bits: other ones where two lists fell apart in different ways.
     [[nodiscard]] std::uint64_t fingerprint() const { return fingerprint_; }
     /// Takes over the labels of the table; which masses have new ones since the last call, ascending.
-    [[nodiscard]] std::vector<Relabelled> update(const UnionTable& unions);
+    [[nodiscard]] std::vector<NewPart> update(const Unions& unions);
 
 private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -43,7 +43,7 @@ private:
 
     std::vector<LocalMass> masses_;
     std::vector<VertexSite> vertex_;
-    std::vector<std::uint8_t> label_;
+    std::vector<std::uint8_t> part_;
     std::vector<std::uint32_t> before_;  ///< the last mass before this one in the list at the same vertex; none
     std::vector<Entry> entries_;
     std::uint64_t fingerprint_{0};

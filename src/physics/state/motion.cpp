@@ -27,12 +27,12 @@ std::variant<MotionNumbers<double>, MotionNumbers<float>> numbers_in(Precision p
     return MotionNumbers<double>{base_size};
 }
 
-/// Calls action(quantity, components) for what a slot holds.
+/// Calls action(quantity, components) for what a union holds.
 void for_each_quantity(bool extrapolates, auto&& action) {
     action(Quantity::displacement, 3);
     action(Quantity::increment, 3);
     action(Quantity::force, 3);
-    action(Quantity::mobility, 1);
+    action(Quantity::dt2_over_mass, 1);
     if (extrapolates) {
         action(Quantity::extrapolated, 3);
     }
@@ -64,7 +64,7 @@ Motion::Motion(const Lattice& lattice, bool extrapolates, Precision precision)
     : extrapolates_{extrapolates},
       base_stride_{stride_for(lattice.vertex_sites())},
       pool_stride_{Pooled::together * (extrapolates ? 4U : 3U)},
-      numbers_{numbers_in(precision, (Quantity::mobility + 1 + (extrapolates ? 3U : 0U)) * base_stride_)},
+      numbers_{numbers_in(precision, (Quantity::dt2_over_mass + 1 + (extrapolates ? 3U : 0U)) * base_stride_)},
       pooled_at_(lattice.vertex_sites(), -1),
       first_pooled_(lattice.vertex_rows().size()) {
     for (std::size_t group = 0; group < lattice.vertex_sites() / lanes; ++group) {
@@ -72,8 +72,8 @@ Motion::Motion(const Lattice& lattice, bool extrapolates, Precision precision)
     }
 }
 
-void Motion::open(Slot s) {
-    if (plane_of(s) == base_plane) {
+void Motion::open(LocalUnion s) {
+    if (layer_of(s) == base_layer) {
         return;
     }
     const std::size_t v = vertex_of(s).index();
@@ -82,12 +82,12 @@ void Motion::open(Slot s) {
         make_room(places_, 1);
         places_.emplace_back();
     }
-    PoolPlace& found = places_[static_cast<std::size_t>(pooled_at_[v])][static_cast<std::size_t>(plane_of(s))];
+    PoolPlace& found = places_[static_cast<std::size_t>(pooled_at_[v])][static_cast<std::size_t>(layer_of(s))];
     if (found == PoolPlace{}) {
         found = PoolPlace{static_cast<std::int32_t>(next_pooled_.size())};
         std::visit([&](auto& numbers) { numbers.extend_pool(pool_stride_); }, numbers_);
         PoolPlace& first =
-            first_pooled_[static_cast<std::size_t>(row_of_group_[v / lanes])][Lattice::side(plane_of(s))];
+            first_pooled_[static_cast<std::size_t>(row_of_group_[v / lanes])][Lattice::side(layer_of(s))];
         make_room(next_pooled_, 1);
         next_pooled_.push_back(std::exchange(first, found));
         ++disordered_;
@@ -137,9 +137,9 @@ void Motion::append_pooled(const Lattice& lattice, std::size_t row, std::size_t 
     const std::size_t first = order.size();
     for (const std::int32_t at : std::span{pooled_at_}.subspan(static_cast<std::size_t>(vertices.first),
                                                                static_cast<std::size_t>(vertices.length))) {
-        for (int plane = 0; at >= 0 && plane < planes; ++plane) {
-            PoolPlace& place = places_[static_cast<std::size_t>(at)][static_cast<std::size_t>(plane)];
-            if (Lattice::side(plane) == side && place != PoolPlace{}) {
+        for (int layer = 0; at >= 0 && layer < layers; ++layer) {
+            PoolPlace& place = places_[static_cast<std::size_t>(at)][static_cast<std::size_t>(layer)];
+            if (Lattice::side(layer) == side && place != PoolPlace{}) {
                 order.push_back(place);
                 place = PoolPlace{static_cast<std::int32_t>(order.size()) - 1};
             }
@@ -153,7 +153,7 @@ void Motion::append_pooled(const Lattice& lattice, std::size_t row, std::size_t 
     first_pooled_[row][side] = next;
 }
 
-void Motion::set(Slot s, std::size_t quantity, Vec3 value) {
+void Motion::set(LocalUnion s, std::size_t quantity, Vec3 value) {
     CRACKSIM_EXPECT(quantity != Quantity::extrapolated || extrapolates_);
     const auto assign = [&]<class Real>(MotionNumbers<Real>& numbers) {
         const Components<Real> p = place(numbers, s, quantity);
@@ -164,14 +164,14 @@ void Motion::set(Slot s, std::size_t quantity, Vec3 value) {
     std::visit(assign, numbers_);
 }
 
-void Motion::set_mobility(Slot s, double value) {
+void Motion::set_dt2_over_mass(LocalUnion s, double value) {
     const auto assign = [&]<class Real>(MotionNumbers<Real>& numbers) {
-        *place(numbers, s, Quantity::mobility).first = static_cast<Real>(value);
+        *place(numbers, s, Quantity::dt2_over_mass).first = static_cast<Real>(value);
     };
     std::visit(assign, numbers_);
 }
 
-void Motion::copy(Slot from, Slot to) {
+void Motion::copy(LocalUnion from, LocalUnion to) {
     const auto assign = [&](auto& numbers) {
         for_each_quantity(extrapolates_, [&](std::size_t quantity, std::size_t components) {
             const auto source = place(numbers, from, quantity);
@@ -184,7 +184,7 @@ void Motion::copy(Slot from, Slot to) {
     std::visit(assign, numbers_);
 }
 
-void Motion::clear(Slot s) {
+void Motion::clear(LocalUnion s) {
     const auto assign = [&](auto& numbers) {
         for_each_quantity(extrapolates_, [&](std::size_t quantity, std::size_t components) {
             const auto p = place(numbers, s, quantity);

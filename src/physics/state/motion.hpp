@@ -16,26 +16,26 @@
 
 namespace cracksim::physics {
 
-/// Stands for a Mass-union: 8 * vertex + plane. The planes of a vertex are for the parts that its masses fell into.
-using Slot = Id<struct SlotTag, std::int32_t>;
+/// Stands for a Mass-union: 8 * vertex + layer. The layers of a vertex are for the parts that its masses fell into.
+using LocalUnion = Id<struct LocalUnionTag, std::int32_t>;
 
-constexpr int planes = 8;
+constexpr int layers = 8;
 /// Holds the part with the vertex's smallest mass, and so every whole union but lone masses.
-constexpr int base_plane = 6;
-[[nodiscard]] constexpr Slot slot_of(VertexSite v, int plane) { return Slot{v.value() * planes + plane}; }
-[[nodiscard]] constexpr VertexSite vertex_of(Slot s) { return VertexSite{s.value() / planes}; }
-[[nodiscard]] constexpr int plane_of(Slot s) { return s.value() % planes; }
+constexpr int base_layer = 6;
+[[nodiscard]] constexpr LocalUnion local_union(VertexSite v, int layer) { return LocalUnion{v.value() * layers + layer}; }
+[[nodiscard]] constexpr VertexSite vertex_of(LocalUnion s) { return VertexSite{s.value() / layers}; }
+[[nodiscard]] constexpr int layer_of(LocalUnion s) { return s.value() % layers; }
 
 /// What the motion and its forces are kept and computed in, by IEEE 754's names. Thresholds, positions and energies are in double.
 enum class Precision { binary64, binary32 };
 
-/// What a slot holds, as the first of its components: u (m), w (m), the force on the union (N), dt^2/M (s^2/kg), and with ab2
+/// What a union holds, as the first of its components: u (m), w (m), the force on the union (N), dt^2/M (s^2/kg), and with ab2
 /// what damping takes for w (m).
 struct Quantity {
     static constexpr std::size_t displacement = 0;
     static constexpr std::size_t increment = 3;
     static constexpr std::size_t force = 6;
-    static constexpr std::size_t mobility = 9;
+    static constexpr std::size_t dt2_over_mass = 9;
     static constexpr std::size_t extrapolated = 10;
 };
 
@@ -61,17 +61,17 @@ using PoolPlace = Id<struct PoolPlaceTag, std::int32_t>;
 /// with a zero.
 struct Pooled {
     static constexpr std::size_t together = 4;
-    static constexpr std::size_t mobility = 3;
+    static constexpr std::size_t dt2_over_mass = 3;
 
     /// Of a quantity's first component; the others follow.
     [[nodiscard]] static constexpr std::size_t at(std::size_t quantity) {
-        return quantity == Quantity::mobility ? mobility : (quantity + 1) / 3 * together;
+        return quantity == Quantity::dt2_over_mass ? dt2_over_mass : (quantity + 1) / 3 * together;
     }
 };
 static_assert(Pooled::at(Quantity::displacement) == 0 && Pooled::at(Quantity::increment) == 4 &&
               Pooled::at(Quantity::force) == 8 && Pooled::at(Quantity::extrapolated) == 12);
 
-/// The numbers of a motion: the base plane, component after component, and the pool, union after union.
+/// The numbers of a motion: the base layer, component after component, and the pool, union after union.
 template <class Real>
 class MotionNumbers {
 public:
@@ -93,8 +93,8 @@ private:
     std::vector<Real, LineAllocator<Real>> pool_;
 };
 
-/// The motion of all unions of this rank. The base plane has a place for each vertex, component after component. Unions of the other
-/// planes, which came of unions that fell apart, have theirs in the pool: in the order in which the sweep meets them, but for the last ones.
+/// The motion of all unions of this rank. The base layer has a place for each vertex, component after component. Unions of the other
+/// layers, which came of unions that fell apart, have theirs in the pool: in the order in which the sweep meets them, but for the last ones.
 class Motion {
 public:
     Motion(const Lattice& lattice, bool extrapolates, Precision precision);
@@ -113,26 +113,26 @@ public:
     }
     [[nodiscard]] Vec3 rounded(Vec3 value) const { return {rounded(value.x), rounded(value.y), rounded(value.z)}; }
 
-    /// Makes sure that a slot has memory; what is new is zero. May move the pool.
-    void open(Slot s);
-    [[nodiscard]] Vec3 get(Slot s, std::size_t quantity) const {
+    /// Makes sure that a union has memory; what is new is zero. May move the pool.
+    void open(LocalUnion s);
+    [[nodiscard]] Vec3 get(LocalUnion s, std::size_t quantity) const {
         const auto values = [&](const auto& numbers) {
             const auto p = place(numbers, s, quantity);
             return Vec3{*p.first, p.first[p.stride], p.first[2 * p.stride]};
         };
         return std::visit(values, numbers_);
     }
-    void set(Slot s, std::size_t quantity, Vec3 value);
-    [[nodiscard]] double mobility(Slot s) const {
-        return std::visit([&](const auto& numbers) -> double { return *place(numbers, s, Quantity::mobility).first; },
+    void set(LocalUnion s, std::size_t quantity, Vec3 value);
+    [[nodiscard]] double dt2_over_mass(LocalUnion s) const {
+        return std::visit([&](const auto& numbers) -> double { return *place(numbers, s, Quantity::dt2_over_mass).first; },
                           numbers_);
     }
-    void set_mobility(Slot s, double value);
-    /// All components of a slot to another one, which has memory.
-    void copy(Slot from, Slot to);
-    /// All components of a slot to zero.
-    void clear(Slot s);
-    /// The forces of all slots to zero.
+    void set_dt2_over_mass(LocalUnion s, double value);
+    /// All components of a union to another one, which has memory.
+    void copy(LocalUnion from, LocalUnion to);
+    /// All components of a union to zero.
+    void clear(LocalUnion s);
+    /// The forces of all unions to zero.
     void clear_forces();
 
     /// The numbers; of the motion's own precision.
@@ -143,13 +143,13 @@ public:
     [[nodiscard]] std::size_t base_stride() const { return base_stride_; }
     /// From one union to the next in the pool.
     [[nodiscard]] std::size_t pool_stride() const { return pool_stride_; }
-    /// None for what is in the base plane or has no memory.
-    [[nodiscard]] PoolPlace pool_place(Slot s) const {
+    /// None for what is in the base layer or has no memory.
+    [[nodiscard]] PoolPlace pool_place(LocalUnion s) const {
         const std::int32_t index = pooled_at_[vertex_of(s).index()];
         return index < 0 ? PoolPlace{}
-                         : places_[static_cast<std::size_t>(index)][static_cast<std::size_t>(plane_of(s))];
+                         : places_[static_cast<std::size_t>(index)][static_cast<std::size_t>(layer_of(s))];
     }
-    /// Of the unions in the pool that are at a row of vertices, in planes of corners on a side, the first; none: the default id.
+    /// Of the unions in the pool that are at a row of vertices, in layers of corners on a side, the first; none: the default id.
     [[nodiscard]] PoolPlace first_pooled(std::size_t row, std::size_t side) const { return first_pooled_[row][side]; }
     /// [place in the pool]: the next one of the same row and side, or none.
     [[nodiscard]] const PoolPlace* next_pooled() const { return next_pooled_.data(); }
@@ -169,11 +169,11 @@ private:
     };
     template <class Numbers>
     using ComponentsIn = Components<std::remove_pointer_t<decltype(std::declval<Numbers&>().base())>>;
-    using PlacesOfVertex = std::array<PoolPlace, planes>;
+    using PlacesOfVertex = std::array<PoolPlace, layers>;
 
     template <class Numbers>
-    [[nodiscard]] ComponentsIn<Numbers> place(Numbers& numbers, Slot s, std::size_t quantity) const {
-        if (plane_of(s) == base_plane) {
+    [[nodiscard]] ComponentsIn<Numbers> place(Numbers& numbers, LocalUnion s, std::size_t quantity) const {
+        if (layer_of(s) == base_layer) {
             return {numbers.base() + quantity * base_stride_ + vertex_of(s).index(), base_stride_};
         }
         const PoolPlace pooled = pool_place(s);
@@ -191,7 +191,7 @@ private:
     std::variant<MotionNumbers<double>, MotionNumbers<float>> numbers_;
     std::vector<std::int32_t> row_of_group_;  ///< by group of as many vertices as there are lanes
     std::vector<std::int32_t> pooled_at_;     ///< by vertex: index into places_, -1 if the pool has none of its unions
-    std::vector<PlacesOfVertex> places_;      ///< by plane
+    std::vector<PlacesOfVertex> places_;      ///< by layer
     std::vector<std::array<PoolPlace, Lattice::sides>> first_pooled_;  ///< by row of vertices and side
     std::vector<PoolPlace> next_pooled_;
     std::size_t disordered_{0};

@@ -10,7 +10,7 @@ namespace {
 
 Sensing all_active(const Network& network, const Lattice& lattice) {
     Sensing sensing{{}, EdgeLimits{lattice}, {}, {}};
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interfaces().size()); ++i) {
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interior_faces().size()); ++i) {
         sensing.active.push_back(network.touched_duplets(i));
     }
     sensing.exceeded.assign(lattice.batches(), {});
@@ -18,9 +18,9 @@ Sensing all_active(const Network& network, const Lattice& lattice) {
     return sensing;
 }
 
-void for_each_slot(const Network& network, const UnionTable& unions, auto&& action) {
+void for_each_slot(const Network& network, const Unions& unions, auto&& action) {
     for (const LocalMass m : network.received()) {
-        action(unions.slot(m), m);
+        action(unions.union_of(m), m);
     }
     unions.for_each_advanced(action);
 }
@@ -33,19 +33,19 @@ State::State(const Network& network, Scheme chosen, double dt, Precision precisi
       unions{network},
       motion{unions.lattice(), chosen == Scheme::ab2, precision},
       pooled{unions.lattice()},
-      merging{network, unions},
+      shared_edges{network, unions},
       sensing{all_active(network, unions.lattice())},
       held_in_row(lattice().vertex_rows().size()),
       received{network, unions} {
-    for (const Slot s : unions.advanced()) {
+    for (const LocalUnion s : unions.advanced()) {
         motion.open(s);
-        set_mobility(network, s);
+        set_dt2_over_mass(network, s);
     }
     for (const LocalMass m : network.received()) {
-        motion.open(unions.slot(m));
+        motion.open(unions.union_of(m));
     }
     pooled.find(unions, motion);
-    for (const Held& union_held : find_held(network, unions)) {
+    for (const HeldUnion& union_held : find_held_unions(network, unions)) {
         hold(union_held);
     }
     for (VertexSite v{0}; v.index() < lattice().vertex_sites(); ++v) {
@@ -55,10 +55,10 @@ State::State(const Network& network, Scheme chosen, double dt, Precision precisi
     }
 }
 
-void State::set_mobility(const Network& network, Slot s) {
+void State::set_dt2_over_mass(const Network& network, LocalUnion s) {
     double mass = 0;
     unions.for_each_mass(s, [&](LocalMass) { mass += network.model().corner_mass; });
-    motion.set_mobility(s, step_size * step_size / mass);
+    motion.set_dt2_over_mass(s, step_size * step_size / mass);
 }
 
 void State::update_unions(std::span<const VertexSite> vertices) {
@@ -69,35 +69,35 @@ void State::update_unions(std::span<const VertexSite> vertices) {
         pooled.update(unions, motion, vertices);
     }
     for (const VertexSite v : vertices) {
-        merging.update(unions, v);
+        shared_edges.update(unions, v);
     }
 }
 
-void State::hold(const Held& union_held) {
-    held_of_slot[union_held.slot] = held.size();
-    held_in_row[static_cast<std::size_t>(lattice().vertex_row(vertex_of(union_held.slot)))].push_back(held.size());
+void State::hold(const HeldUnion& union_held) {
+    held_of_slot[union_held.local_union] = held.size();
+    held_in_row[static_cast<std::size_t>(lattice().vertex_row(vertex_of(union_held.local_union)))].push_back(held.size());
     held.push_back(union_held);
 }
 
 std::size_t State::memory_bytes() const {
-    return unions.memory_bytes() + motion.memory_bytes() + pooled.memory_bytes() + merging.memory_bytes() +
-           held.capacity() * sizeof(Held) + sensing.active.capacity() + sensing.limits.memory_bytes() +
+    return unions.memory_bytes() + motion.memory_bytes() + pooled.memory_bytes() + shared_edges.memory_bytes() +
+           held.capacity() * sizeof(HeldUnion) + sensing.active.capacity() + sensing.limits.memory_bytes() +
            sensing.exceeded.capacity() * sizeof(EdgeBits) + sensing.revision.capacity() * sizeof(Sensing::Revision) +
            held_in_row.size() * sizeof(std::vector<std::size_t>) + received.memory_bytes();
 }
 
 void start(const Network& network, const Initial& initial, State& state) {
     const double dt = state.step_size;
-    for_each_slot(network, state.unions, [&](Slot s, LocalMass m) {
+    for_each_slot(network, state.unions, [&](LocalUnion s, LocalMass m) {
         const Vec3 rest = network.rest_position(m);
         state.set_displacement(s, initial.displacement(rest));
         state.set_velocity_increment(s, dt * initial.velocity(rest));
     });
     accumulate_forces(network, state, Measure::nothing);
-    for (const Slot s : state.unions.advanced()) {
+    for (const LocalUnion s : state.unions.advanced()) {
         const Vec3 v0 = state.velocity_increment(s);
         // As in every step, a sum of forces that was flushed to -0 becomes +0.
-        const Vec3 a0 = state.mobility(s) * (state.force(s) + Vec3{0, 0, 0});
+        const Vec3 a0 = state.dt2_over_mass(s) * (state.force(s) + Vec3{0, 0, 0});
         const Vec3 w0 = prescribed(network, state, s, v0 - 0.5 * a0, -0.5);
         const Vec3 before = prescribed(network, state, s, v0 - 1.5 * a0, -1.5);
         state.set_increment(s, w0);

@@ -14,66 +14,66 @@
 namespace cracksim::physics {
 
 /// Which masses move as one. The masses of a vertex that share a union share a label, which follows from the split state alone:
-/// its corner for a mass on its own; else base_plane in the part with the vertex's smallest mass, and in the others the corner of
-/// their smallest mass. A union's motion is in the plane of its label. The label of a received mass is what its owner says.
-class UnionTable {
+/// its corner for a mass on its own; else base_layer in the part with the vertex's smallest mass, and in the others the corner of
+/// their smallest mass. A union's motion is in the layer of its label. The label of a received mass is what its owner says.
+class Unions {
 public:
-    explicit UnionTable(const Network& network);
+    explicit Unions(const Network& network);
 
     [[nodiscard]] const Lattice& lattice() const { return *lattice_; }
-    [[nodiscard]] int label(LocalMass m) const { return label_[m.index()]; }
+    [[nodiscard]] int part(LocalMass m) const { return part_[m.index()]; }
     /// Touched: this rank advances the unions of the vertex, and has all their masses.
     [[nodiscard]] bool is_touched(VertexSite v) const { return in_use_[v.index()] != 0; }
-    [[nodiscard]] Slot slot(LocalMass m) const { return slot_of(lattice_->vertex(m), label(m)); }
-    /// Of its local masses; none if the slot is empty.
-    [[nodiscard]] LocalMass smallest_mass(Slot s) const;
+    [[nodiscard]] LocalUnion union_of(LocalMass m) const { return local_union(lattice_->vertex(m), part(m)); }
+    /// Of its local masses; none if the union is empty.
+    [[nodiscard]] LocalMass smallest_mass(LocalUnion s) const;
     /// Calls action(mass) for the masses of an advanced union, ascending.
     template <class Action>
-    void for_each_mass(Slot s, Action&& action) const {
+    void for_each_mass(LocalUnion s, Action&& action) const {
         lattice_->for_each_mass_at(vertex_of(s), [&](LocalMass m) {
-            if (label(m) == plane_of(s)) {
+            if (part(m) == layer_of(s)) {
                 action(m);
             }
         });
     }
     /// The same masses in a list, which is cleared first.
-    void masses(Slot s, std::vector<LocalMass>& found) const;
-    [[nodiscard]] int mass_count(Slot s) const;
-    /// Calls action(slot) for the unions that this rank advances, by vertex and plane.
+    void masses(LocalUnion s, std::vector<LocalMass>& found) const;
+    [[nodiscard]] int mass_count(LocalUnion s) const;
+    /// Calls action(union) for the unions that this rank advances, by vertex and layer.
     template <class Action>
-    void for_each_advanced_slot(Action&& action) const {
+    void for_each_advanced_union(Action&& action) const {
         for (VertexSite v{0}; v.index() < in_use_.size(); ++v) {
             for (unsigned in_use = in_use_[v.index()]; in_use != 0; in_use &= in_use - 1) {
-                action(slot_of(v, std::countr_zero(in_use)));
+                action(local_union(v, std::countr_zero(in_use)));
             }
         }
     }
-    /// The same with each union's smallest mass: action(slot, smallest).
+    /// The same with each union's smallest mass: action(union, smallest).
     template <class Action>
     void for_each_advanced(Action&& action) const {
-        for_each_advanced_slot([&](Slot s) { action(s, smallest_of_advanced(s)); });
+        for_each_advanced_union([&](LocalUnion s) { action(s, smallest_of_advanced(s)); });
     }
     /// By the rules for labels, and so without a look at those of the vertex's other masses.
-    [[nodiscard]] LocalMass smallest_of_advanced(Slot s) const {
-        return plane_of(s) == base_plane ? lattice_->smallest_at(vertex_of(s))
-                                         : lattice_->mass_at(vertex_of(s), plane_of(s));
+    [[nodiscard]] LocalMass smallest_of_advanced(LocalUnion s) const {
+        return layer_of(s) == base_layer ? lattice_->smallest_at(vertex_of(s))
+                                         : lattice_->mass_at(vertex_of(s), layer_of(s));
     }
-    /// Slots of all unions that this rank advances, by vertex and plane.
-    [[nodiscard]] std::vector<Slot> advanced() const;
+    /// Slots of all unions that this rank advances, by vertex and layer.
+    [[nodiscard]] std::vector<LocalUnion> advanced() const;
 
-    /// Makes some masses of a touched vertex (ascending) a union of their own; returns its slot.
-    Slot assign(std::span<const LocalMass> part);
+    /// Makes some masses of a touched vertex (ascending) a union of their own; returns its union.
+    LocalUnion assign(std::span<const LocalMass> part);
     /// Takes over the label of a received mass. Its motion is not moved.
-    void set_received_label(LocalMass m, int label);
+    void set_received_part(LocalMass m, int label);
 
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
-    void find_planes(VertexSite v);
+    void find_layers(VertexSite v);
 
     std::shared_ptr<const Lattice> lattice_;
-    std::vector<std::uint8_t> label_;   ///< by local mass
-    std::vector<std::uint8_t> in_use_;  ///< by vertex site: bit p is set where plane p holds an advanced union
+    std::vector<std::uint8_t> part_;   ///< by local mass
+    std::vector<std::uint8_t> in_use_;  ///< by vertex site: bit p is set where layer p holds an advanced union
 };
 
 }  // namespace cracksim::physics

@@ -18,10 +18,10 @@ void make_root(LocalEntity entity, Parents& parents) {
     }
 }
 
-PartingSearch::PartingSearch(std::size_t entities) : next_(entities, not_queued), front_of_(entities, no_front) {}
+ReplacementEdgeSearch::ReplacementEdgeSearch(std::size_t entities) : next_(entities, not_queued), front_of_(entities, no_front) {}
 
 // Growth also begins at the parents: most links that hold are near the cut.
-void PartingSearch::start(std::span<const LocalEntity> orphans, Parents& parents) {
+void ReplacementEdgeSearch::start(std::span<const LocalEntity> orphans, Parents& parents) {
     std::vector<LocalEntity> left;
     for (const LocalEntity orphan : orphans) {
         left.push_back(std::exchange(parents[orphan], LocalEntity{}));
@@ -35,7 +35,7 @@ void PartingSearch::start(std::span<const LocalEntity> orphans, Parents& parents
     }
 }
 
-std::int32_t PartingSearch::add_front(LocalEntity root, bool has_root) {
+std::int32_t ReplacementEdgeSearch::add_front(LocalEntity root, bool has_root) {
     const auto front = static_cast<std::int32_t>(fronts_.size());
     fronts_.push_back({{}, {}, front, has_root, false});
     turns_.push_back(front);
@@ -44,7 +44,7 @@ std::int32_t PartingSearch::add_front(LocalEntity root, bool has_root) {
     return front;
 }
 
-std::int32_t PartingSearch::next_in_turn() {
+std::int32_t ReplacementEdgeSearch::next_in_turn() {
     for (;;) {
         turn_ = turn_ < turns_.size() ? turn_ : 0;
         const std::int32_t front = turns_[turn_];
@@ -57,7 +57,7 @@ std::int32_t PartingSearch::next_in_turn() {
     }
 }
 
-LocalEntity PartingSearch::take(std::int32_t front) {
+LocalEntity ReplacementEdgeSearch::take(std::int32_t front) {
     Queue& to_see = at(front).to_see;
     const LocalEntity entity = to_see.first;
     if (entity != LocalEntity{}) {
@@ -69,7 +69,7 @@ LocalEntity PartingSearch::take(std::int32_t front) {
 }
 
 // Of two subtrees the one without the root is hung on the other: its path to where it hangs is the shorter one.
-void PartingSearch::reach(std::int32_t front, LocalEntity from, LocalEntity entity, Parents& parents) {
+void ReplacementEdgeSearch::reach(std::int32_t front, LocalEntity from, LocalEntity entity, Parents& parents) {
     if (next_[entity] != not_queued && find(front_of_[entity]) == front) {
         return;
     }
@@ -84,7 +84,7 @@ void PartingSearch::reach(std::int32_t front, LocalEntity from, LocalEntity enti
     join(front, other);
 }
 
-void PartingSearch::join(std::int32_t front, std::int32_t other) {
+void ReplacementEdgeSearch::join(std::int32_t front, std::int32_t other) {
     append(at(front).seen, at(other).seen);
     append(at(front).to_see, at(other).to_see);
     at(front).has_root = at(front).has_root || at(other).has_root;
@@ -92,13 +92,13 @@ void PartingSearch::join(std::int32_t front, std::int32_t other) {
     --living_;
 }
 
-void PartingSearch::end(std::int32_t front) {
+void ReplacementEdgeSearch::end(std::int32_t front) {
     at(front).ended = true;
     ended_.push_back(front);
     --living_;
 }
 
-const std::vector<LocalEntity>& PartingSearch::members(std::int32_t front) {
+const std::vector<LocalEntity>& ReplacementEdgeSearch::members(std::int32_t front) {
     members_.clear();
     for (LocalEntity e = at(front).seen.first; e != LocalEntity{}; e = next_[e]) {
         members_.push_back(e);
@@ -106,7 +106,7 @@ const std::vector<LocalEntity>& PartingSearch::members(std::int32_t front) {
     return members_;
 }
 
-void PartingSearch::clear() {
+void ReplacementEdgeSearch::clear() {
     for (const LocalEntity e : known_) {
         front_of_[e] = no_front;
         next_[e] = not_queued;
@@ -119,7 +119,7 @@ void PartingSearch::clear() {
     living_ = 0;
 }
 
-std::int32_t PartingSearch::front_above(LocalEntity entity, const Parents& parents) {
+std::int32_t ReplacementEdgeSearch::front_above(LocalEntity entity, const Parents& parents) {
     path_.clear();
     while (front_of_[entity] == no_front && parents[entity] != LocalEntity{}) {
         path_.push_back(entity);
@@ -132,7 +132,7 @@ std::int32_t PartingSearch::front_above(LocalEntity entity, const Parents& paren
     return front;
 }
 
-std::int32_t PartingSearch::find(std::int32_t front) {
+std::int32_t ReplacementEdgeSearch::find(std::int32_t front) {
     while (at(front).joined != front) {
         at(front).joined = at(at(front).joined).joined;
         front = at(front).joined;
@@ -140,17 +140,17 @@ std::int32_t PartingSearch::find(std::int32_t front) {
     return front;
 }
 
-void PartingSearch::know(LocalEntity entity, std::int32_t front) {
+void ReplacementEdgeSearch::know(LocalEntity entity, std::int32_t front) {
     front_of_[entity] = front;
     known_.push_back(entity);
 }
 
-void PartingSearch::queue(LocalEntity entity, std::int32_t front) {
+void ReplacementEdgeSearch::queue(LocalEntity entity, std::int32_t front) {
     next_[entity] = LocalEntity{};
     append(at(front).to_see, {entity, entity});
 }
 
-void PartingSearch::append(Queue& queue, Queue added) {
+void ReplacementEdgeSearch::append(Queue& queue, Queue added) {
     if (added.first == LocalEntity{}) {
         return;
     }

@@ -10,16 +10,16 @@
 
 namespace cracksim::topology {
 
-/// The tree that holds a piece together: by entity, the one that it hangs on by a link; none at the root.
+/// The tree that holds a tree together: by entity, the one that it hangs on by a link; none at the root.
 using Parents = IdArray<LocalEntity, LocalEntity>;
 
 /// Finds what has come off after links of trees were cut, without a look at the whole. A cut tree is some subtrees. A
 /// front grows in each of them, all in turn, and looks for a link to another subtree: where it finds one, that is hung on
 /// again and two fronts become one. One that has no neighbour left has come off. The search ends as soon as a single front
 /// is left. So its cost follows what came off, or the way to the next link that still holds.
-class PartingSearch {
+class ReplacementEdgeSearch {
 public:
-    explicit PartingSearch(std::size_t entities);
+    explicit ReplacementEdgeSearch(std::size_t entities);
 
     /// orphans: entities of one tree whose link to their parent was cut. links.for_each_neighbour(entity, visit) calls
     /// visit(other) for each entity that is linked to it; links must be known alike from both ends. Afterwards parents are

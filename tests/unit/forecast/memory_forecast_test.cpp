@@ -20,7 +20,7 @@ scene::Scene scene(const std::vector<std::string>& settings) {
 
 std::int64_t peak(const std::vector<std::string>& settings, int ranks, double opened) {
     const scene::Scene s = scene(settings);
-    return peak_bytes(s, estimated_loads(s.block, s.partition, ranks).front(), {ranks, true, 0}, opened);
+    return peak_bytes(s, estimated_rank_counts(s.block, s.partition, ranks).front(), {ranks, true, 0}, opened);
 }
 
 TEST(PeakBytes, HalveWithTwiceTheRanks) {
@@ -35,9 +35,9 @@ TEST(PeakBytes, HalveWithTwiceTheRanks) {
 
 TEST(PeakBytes, AreThoseOfThePartitionOnTheRootOfManyRanks) {
     const scene::Scene s = scene({});
-    const PartLoad load = estimated_loads(s.block, s.partition, 64).front();
-    const std::int64_t root = peak_bytes(s, load, {64, true, 0}, 0);
-    const std::int64_t other = peak_bytes(s, load, {64, false, 0}, 0);
+    const RankCounts counts = estimated_rank_counts(s.block, s.partition, 64).front();
+    const std::int64_t root = peak_bytes(s, counts, {64, true, 0}, 0);
+    const std::int64_t other = peak_bytes(s, counts, {64, false, 0}, 0);
     EXPECT_GT(root, 3 * other);
     EXPECT_LT(peak({"partition.kind=slab"}, 64, 0), root / 2);
 }

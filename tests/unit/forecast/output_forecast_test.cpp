@@ -55,15 +55,15 @@ TEST(OutputForecast, CountsFacesAndPointsOfBothEnds) {
     EXPECT_EQ(series[1].faces.broken, 6 * 24 - 52);
     EXPECT_EQ(series[2].faces.intact, 8 * 24);
     EXPECT_EQ(series[3].points.intact, 24 * 24);
-    EXPECT_EQ(series[3].per_interface, 0);
+    EXPECT_EQ(series[3].per_face, 0);
 }
 
 TEST(OutputForecast, AnOpenedInterfaceAddsTwoFacesAndTwoPointsToEachPicture) {
     // A face: 4 corners, an offset, a type, 4 fields; and a point of 3 coordinates.
     constexpr int face = 8 * 4 + 8 + 1 + 8 * 4;
-    EXPECT_EQ(forecast({"output.crack=false"}).per_interface, 2 * (face + 24));
-    EXPECT_EQ(forecast({}).per_interface, 4 * (face + 24));
-    EXPECT_EQ(forecast({"output.surface=false", "output.crack=false"}).per_interface, 0);
+    EXPECT_EQ(forecast({"output.crack=false"}).per_face, 2 * (face + 24));
+    EXPECT_EQ(forecast({}).per_face, 4 * (face + 24));
+    EXPECT_EQ(forecast({"output.surface=false", "output.crack=false"}).per_face, 0);
 }
 
 TEST(OutputForecast, GrowsWithTheFramesAndLiesBetweenItsEnds) {

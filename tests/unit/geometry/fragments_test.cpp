@@ -8,7 +8,7 @@ namespace cracksim::geometry {
 namespace {
 
 namespace sample = topology::sample;
-using Labels = IdArray<LocalEntity, EntityId>;
+using GlobalComponents = IdArray<LocalEntity, EntityId>;
 
 std::vector<std::vector<LocalMass>> groups(const sample::RandomUnions& unions) {
     std::vector<std::vector<LocalMass>> found;
@@ -23,7 +23,7 @@ std::vector<std::vector<LocalMass>> groups(const sample::RandomUnions& unions) {
 
 TEST(Fragments, AnIntactBlockIsOne) {
     const Block block = sample::block(4, 3, 3);
-    Labels labels{sample::all_entities(block)};
+    GlobalComponents labels{sample::all_entities(block)};
     EXPECT_TRUE(lower_to_fragment(groups(sample::RandomUnions{block}), labels));
     EXPECT_EQ(std::count(labels.begin(), labels.end(), EntityId{0}), block.entity_count());
 }
@@ -37,7 +37,7 @@ TEST(Fragments, EntitiesAreTogetherExactlyWhenAChainOfSharedUnionsJoinsThem) {
         for (int i = 0; i < 400; ++i) {
             unions.split(random);
         }
-        Labels expected{sample::all_entities(block)};
+        GlobalComponents expected{sample::all_entities(block)};
         for (bool changed = true; changed;) {
             changed = false;
             for (const auto& group : groups(unions)) {
@@ -51,7 +51,7 @@ TEST(Fragments, EntitiesAreTogetherExactlyWhenAChainOfSharedUnionsJoinsThem) {
                 }
             }
         }
-        Labels labels{sample::all_entities(block)};
+        GlobalComponents labels{sample::all_entities(block)};
         lower_to_fragment(groups(unions), labels);
         EXPECT_EQ(std::vector(labels.begin(), labels.end()), std::vector(expected.begin(), expected.end()));
         EXPECT_FALSE(lower_to_fragment(groups(unions), labels));
@@ -62,8 +62,8 @@ TEST(Fragments, TwoComponentsThatHangOnAHingeAreOne) {
     auto map = sample::whole(sample::block(2, 1, 1));
     unsew(map, LocalEntity{0}, 1);
     const std::vector<std::vector<LocalMass>> hinge{{local_mass(LocalEntity{0}, 1), local_mass(LocalEntity{1}, 0)}};
-    Labels fragments{std::vector{EntityId{0}, EntityId{1}}};
-    Labels components = fragments;
+    GlobalComponents fragments{std::vector{EntityId{0}, EntityId{1}}};
+    GlobalComponents components = fragments;
     const std::vector<std::uint8_t> owned{1, 1};
     EXPECT_TRUE(lower_to_fragment(hinge, fragments));
     EXPECT_FALSE(topology::lower_to_component(map, owned, components));

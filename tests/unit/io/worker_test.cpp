@@ -10,78 +10,78 @@
 namespace cracksim::io {
 namespace {
 
-TEST(Background, DoesJobsInTheirOrderAndWaitIsAfterTheLast) {
-    Background background;
+TEST(Worker, DoesJobsInTheirOrderAndWaitIsAfterTheLast) {
+    Worker worker;
     std::vector<int> done;
     for (int i = 0; i < 50; ++i) {
-        background.post([&done, i] { done.push_back(i); });
+        worker.post([&done, i] { done.push_back(i); });
     }
-    background.wait();
+    worker.wait();
     ASSERT_EQ(done.size(), 50U);
     for (int i = 0; i < 50; ++i) {
         EXPECT_EQ(done[static_cast<std::size_t>(i)], i);
     }
 }
 
-TEST(Background, RunsBesideTheThreadThatPosts) {
-    Background background;
-    std::thread::id worker;
-    background.post([&] { worker = std::this_thread::get_id(); });
-    background.wait();
-    EXPECT_NE(worker, std::this_thread::get_id());
-    EXPECT_NE(worker, std::thread::id{});
+TEST(Worker, RunsBesideTheThreadThatPosts) {
+    Worker worker;
+    std::thread::id thread;
+    worker.post([&] { thread = std::this_thread::get_id(); });
+    worker.wait();
+    EXPECT_NE(thread, std::this_thread::get_id());
+    EXPECT_NE(thread, std::thread::id{});
 }
 
-TEST(Background, TellsWhatAJobThrewOnceAndDropsTheJobsBehindIt) {
-    Background background;
+TEST(Worker, TellsWhatAJobThrewOnceAndDropsTheJobsBehindIt) {
+    Worker worker;
     int done = 0;
-    background.post([] { throw std::runtime_error{"no room"}; });
-    EXPECT_THROW(background.wait(), std::runtime_error);
-    EXPECT_NO_THROW(background.wait());
-    background.post([&] { ++done; });
-    background.wait();
+    worker.post([] { throw std::runtime_error{"no room"}; });
+    EXPECT_THROW(worker.wait(), std::runtime_error);
+    EXPECT_NO_THROW(worker.wait());
+    worker.post([&] { ++done; });
+    worker.wait();
     EXPECT_EQ(done, 1);
 }
 
-TEST(Background, DropsTheJobsBehindOneThatFailedUntilThatIsTold) {
-    Background background;
+TEST(Worker, DropsTheJobsBehindOneThatFailedUntilThatIsTold) {
+    Worker worker;
     int done = 0;
-    background.post([] { throw std::runtime_error{"no room"}; });
-    background.settle();
-    background.post([&] { ++done; });
-    EXPECT_THROW(background.wait(), std::runtime_error);
+    worker.post([] { throw std::runtime_error{"no room"}; });
+    worker.settle();
+    worker.post([&] { ++done; });
+    EXPECT_THROW(worker.wait(), std::runtime_error);
     EXPECT_EQ(done, 0);
 }
 
-TEST(Background, IsNotMetBySignals) {
-    Background background;
+TEST(Worker, IsNotMetBySignals) {
+    Worker worker;
     sigset_t blocked;
-    background.post([&] { pthread_sigmask(SIG_SETMASK, nullptr, &blocked); });
-    background.wait();
+    worker.post([&] { pthread_sigmask(SIG_SETMASK, nullptr, &blocked); });
+    worker.wait();
     EXPECT_EQ(sigismember(&blocked, SIGTERM), 1);
     EXPECT_EQ(sigismember(&blocked, SIGINT), 1);
 }
 
-TEST(Background, SettlesWithoutTellingWhatAJobThrew) {
-    Background background;
-    background.post([] { throw std::runtime_error{"no room"}; });
-    EXPECT_NO_THROW(background.settle());
-    EXPECT_THROW(background.check(), std::runtime_error);
+TEST(Worker, SettlesWithoutTellingWhatAJobThrew) {
+    Worker worker;
+    worker.post([] { throw std::runtime_error{"no room"}; });
+    EXPECT_NO_THROW(worker.settle());
+    EXPECT_THROW(worker.check(), std::runtime_error);
 }
 
-TEST(Background, DropsWhatHasNotBegunWhenItEnds) {
+TEST(Worker, DropsWhatHasNotBegunWhenItEnds) {
     int done = 0;
     {
-        Background background;
-        background.post([&] { ++done; });
+        Worker worker;
+        worker.post([&] { ++done; });
     }
     EXPECT_LE(done, 1);
 }
 
-TEST(Background, WithoutJobsHasNothingToTell) {
-    Background background;
-    EXPECT_NO_THROW(background.check());
-    EXPECT_NO_THROW(background.wait());
+TEST(Worker, WithoutJobsHasNothingToTell) {
+    Worker worker;
+    EXPECT_NO_THROW(worker.check());
+    EXPECT_NO_THROW(worker.wait());
 }
 
 }  // namespace

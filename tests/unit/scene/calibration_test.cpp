@@ -13,7 +13,7 @@ constexpr Material material{.young = 3e6, .density = 1200, .damping = 0.25, .fra
 constexpr double edge = 0.02;
 
 /// C_ijkl of a cube with the network's interactions, Pa: (1/V) sum k L^2 n_i n_j n_k n_l.
-double elasticity(const Network& network, int i, int j, int k, int l) {
+double interaction(const Network& network, int i, int j, int k, int l) {
     const physics::EntityModel model{{edge, edge, edge},
                                      network.mass,
                                      {network.edge.stiffness, network.edge.viscosity},
@@ -21,7 +21,7 @@ double elasticity(const Network& network, int i, int j, int k, int l) {
     double sum = 0;
     for (std::size_t s = 0; s < model.rest.size(); ++s) {
         const Vec3 n = (1 / model.rest_length[s]) * model.rest[s];
-        sum += model.elasticity[s].stiffness * model.rest_length[s] * model.rest_length[s] * n[i] * n[j] * n[k] * n[l];
+        sum += model.interaction[s].stiffness * model.rest_length[s] * model.rest_length[s] * n[i] * n[j] * n[k] * n[l];
     }
     return sum / (edge * edge * edge);
 }
@@ -31,10 +31,10 @@ TEST(CalibratedNetwork, IsIsotropicWithPoissonRatioOneQuarter) {
     const double lame = 0.4 * material.young;
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
-        EXPECT_NEAR(elasticity(network, i, i, i, i), 3 * lame, 1e-9 * lame);
-        EXPECT_NEAR(elasticity(network, i, i, j, j), lame, 1e-9 * lame);
-        EXPECT_NEAR(elasticity(network, i, j, i, j), lame, 1e-9 * lame);
-        EXPECT_NEAR(elasticity(network, i, i, i, j), 0, 1e-9 * lame);
+        EXPECT_NEAR(interaction(network, i, i, i, i), 3 * lame, 1e-9 * lame);
+        EXPECT_NEAR(interaction(network, i, i, j, j), lame, 1e-9 * lame);
+        EXPECT_NEAR(interaction(network, i, j, i, j), lame, 1e-9 * lame);
+        EXPECT_NEAR(interaction(network, i, i, i, j), 0, 1e-9 * lame);
     }
 }
 

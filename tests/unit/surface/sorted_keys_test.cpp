@@ -8,20 +8,20 @@
 namespace cracksim::surface {
 namespace {
 
-using scene::Places = std::vector<std::int32_t>;
+using Places = std::vector<std::int32_t>;
 
 TEST(SortedKeys, NewOnesStandAmongOldOnesAndItIsToldWhereThoseWent) {
     std::vector<int> keys{10, 20, 30};
-    EXPECT_EQ(merge(keys, {5, 21, 22, 40}), (scene::Places{1, 2, 5}));
+    EXPECT_EQ(merge(keys, {5, 21, 22, 40}), (Places{1, 2, 5}));
     EXPECT_EQ(keys, (std::vector{5, 10, 20, 21, 22, 30, 40}));
-    EXPECT_EQ(merge(keys, {}), (scene::Places{0, 1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(merge(keys, {}), (Places{0, 1, 2, 3, 4, 5, 6}));
 }
 
 TEST(SortedKeys, ValuesFollowTheirKeysAlsoIfNewOnesComeBeforeAll) {
     for (const std::vector<int>& added : {std::vector{5}, {5, 6, 25}, {15}, {40, 41}, {11, 12, 13, 31}}) {
         std::vector<int> keys{10, 20, 30};
         std::vector<int> pairs{10, -10, 20, -20, 30, -30};
-        const scene::Places moved = merge(keys, added);
+        const Places moved = merge(keys, added);
         spread(pairs, moved, keys.size(), 2);
         ASSERT_EQ(pairs.size(), 2 * keys.size());
         for (const int old : {10, 20, 30}) {
@@ -33,9 +33,9 @@ TEST(SortedKeys, ValuesFollowTheirKeysAlsoIfNewOnesComeBeforeAll) {
 }
 
 TEST(SortedKeys, PlacesFollowWhatTheyNameAndNoneStaysNone) {
-    scene::Places places{2, -1, 0, 2};
+    Places places{2, -1, 0, 2};
     rename(places, {1, 2, 5});
-    EXPECT_EQ(places, (scene::Places{5, -1, 1, 5}));
+    EXPECT_EQ(places, (Places{5, -1, 1, 5}));
 }
 
 TEST(SortedKeys, OfWhatIsThereAlreadyAndWhatComesTwiceTheNewIsKeptOnce) {

@@ -5,17 +5,17 @@
 namespace cracksim::surface {
 namespace {
 
-TEST(SurfaceNews, OfSeveralRanksInARowAreReadAsTheyWerePacked) {
-    SurfaceNews some;
+TEST(SurfaceUpdate, OfSeveralRanksInARowAreReadAsTheyWerePacked) {
+    SurfaceUpdate some;
     some.new_points = {MassId{7}, MassId{3}};
     some.changed_faces = {{12, 0.5, {MassId{1}, MassId{2}, MassId{3}, MassId{4}}}};
     some.fragments = {EntityId{9}};
     some.positions = {{1, 2, 3}, {-1, 0.25, 1e9}};
     std::vector<std::byte> bytes = packed(some);
-    for (const std::byte b : packed(SurfaceNews{})) {
+    for (const std::byte b : packed(SurfaceUpdate{})) {
         bytes.push_back(b);
     }
-    const std::vector<SurfaceNews> read = unpacked(bytes);
+    const std::vector<SurfaceUpdate> read = unpacked(bytes);
     ASSERT_EQ(read.size(), 2U);
     EXPECT_EQ(read[0].new_points, some.new_points);
     EXPECT_EQ(read[0].fragments, some.fragments);

@@ -7,11 +7,11 @@
 namespace cracksim::topology {
 namespace {
 
-using Labels = IdArray<LocalEntity, EntityId>;
+using GlobalComponents = IdArray<LocalEntity, EntityId>;
 
 /// Flood fill by alpha3, one component after the other.
-Labels flooded(const GMap& map) {
-    Labels labels(static_cast<std::size_t>(map.entity_count()));
+GlobalComponents flooded(const GMap& map) {
+    GlobalComponents labels(static_cast<std::size_t>(map.entity_count()));
     for (LocalEntity seed{0}; seed.value() < map.entity_count(); ++seed) {
         std::vector<LocalEntity> front;
         if (labels[seed] == EntityId{}) {
@@ -40,11 +40,11 @@ TEST(Components, AreWhatAFloodOverSewnFacesReaches) {
         sample::Random random{seed};
         GMap map = sample::whole(block);
         sample::unsew_randomly(map, random, (seed - 51) * 30);
-        Labels labels{sample::all_entities(block)};
+        GlobalComponents labels{sample::all_entities(block)};
         const std::vector<std::uint8_t> owned(labels.size(), 1);
         EXPECT_EQ(lower_to_component(map, owned, labels), seed != 54 || sample::sewn_faces(map) > 0);
         EXPECT_EQ(std::vector(labels.begin(), labels.end()), [&] {
-            const Labels expected = flooded(map);
+            const GlobalComponents expected = flooded(map);
             return std::vector(expected.begin(), expected.end());
         }());
         EXPECT_FALSE(lower_to_component(map, owned, labels));
@@ -58,10 +58,10 @@ TEST(Components, LabelsReachTheSmallestEntityAcrossRanks) {
         sample::Random random{seed};
         GMap whole = sample::whole(block);
         sample::unsew_randomly(whole, random, 65);
-        const Labels expected = flooded(whole);
+        const GlobalComponents expected = flooded(whole);
 
         auto ranks = sample::random_partition(block, 4, random);
-        std::vector<Labels> labels;
+        std::vector<GlobalComponents> labels;
         for (auto& rank : ranks) {
             for (std::size_t e = 0; e < rank.local.size(); ++e) {
                 const auto mask = whole.sewn_mask(LocalEntity{static_cast<std::int32_t>(rank.local[e].value())});
@@ -102,7 +102,7 @@ TEST(Components, LabelsReachTheSmallestEntityAcrossRanks) {
 TEST(Components, FacesBetweenTwoHaloEntitiesJoinNothing) {
     const GMap map = sample::whole(sample::block(4, 1, 1));
     const std::vector<std::uint8_t> owned{1, 0, 0, 1};
-    Labels labels{sample::all_entities(sample::block(4, 1, 1))};
+    GlobalComponents labels{sample::all_entities(sample::block(4, 1, 1))};
     EXPECT_TRUE(lower_to_component(map, owned, labels));
     EXPECT_EQ(std::vector(labels.begin(), labels.end()),
               (std::vector{EntityId{0}, EntityId{0}, EntityId{2}, EntityId{2}}));
@@ -111,7 +111,7 @@ TEST(Components, FacesBetweenTwoHaloEntitiesJoinNothing) {
 TEST(LowerLabels, TakesTheSmallestLabelAndNotTheLabelOfTheSmallestMember) {
     DisjointSets sets{4};
     sets.join(0, 2);
-    Labels labels{std::vector{EntityId{9}, EntityId{5}, EntityId{3}, EntityId{1}}};
+    GlobalComponents labels{std::vector{EntityId{9}, EntityId{5}, EntityId{3}, EntityId{1}}};
     EXPECT_TRUE(lower_labels(sets, labels));
     EXPECT_EQ(std::vector(labels.begin(), labels.end()),
               (std::vector{EntityId{3}, EntityId{5}, EntityId{3}, EntityId{1}}));

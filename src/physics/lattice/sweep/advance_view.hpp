@@ -8,7 +8,7 @@
 
 namespace cracksim::physics {
 
-/// Some unions of a row of vertices for one advance: in the base plane, and in the pool (motion.hpp).
+/// Some unions of a row of vertices for one advance: in the base layer, and in the pool (motion.hpp).
 template <class Real>
 struct AdvanceView {
     Real* base;
@@ -23,11 +23,11 @@ struct AdvanceView {
     bool broken;               ///< out: some increment is beyond it or not a number
 };
 
-/// Some slots' components along one axis, for their next increments.
+/// Some unions' components along one axis, for their next increments.
 template <class Real>
 struct NextIncrementView {
     const Real* increment;
-    const Real* mobility;
+    const Real* dt2_over_mass;
     const Real* force;
     Real* next;
     std::size_t count;  ///< a multiple of the lanes

@@ -1,9 +1,9 @@
 // Vectors of entities in any state of their unions, once for each SIMD target: no include guard, but Highway's.
-#if defined(CRACKSIM_PHYSICS_ANY_VECTORS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
-#ifdef CRACKSIM_PHYSICS_ANY_VECTORS_INL_HPP
-#undef CRACKSIM_PHYSICS_ANY_VECTORS_INL_HPP
+#if defined(CRACKSIM_PHYSICS_LATTICE_SWEEP_ANY_VECTORS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef CRACKSIM_PHYSICS_LATTICE_SWEEP_ANY_VECTORS_INL_HPP
+#undef CRACKSIM_PHYSICS_LATTICE_SWEEP_ANY_VECTORS_INL_HPP
 #else
-#define CRACKSIM_PHYSICS_ANY_VECTORS_INL_HPP
+#define CRACKSIM_PHYSICS_LATTICE_SWEEP_ANY_VECTORS_INL_HPP
 #endif
 
 #include <hwy/highway.h>
@@ -21,7 +21,7 @@ namespace cracksim::physics::HWY_NAMESPACE {
 
 /// What the pool holds of the half batch of a site; null: nothing.
 template <class Real>
-HWY_INLINE const PooledCorners* PooledOf(const SweepView<Real>& v, std::size_t site) {
+HWY_INLINE const PooledCorners* pooled_of(const SweepView<Real>& v, std::size_t site) {
     const std::int32_t index = v.pooled_of_half[site / Lattice::half];
     return index < 0 ? nullptr : v.pooled + index;
 }
@@ -29,10 +29,10 @@ HWY_INLINE const PooledCorners* PooledOf(const SweepView<Real>& v, std::size_t s
 /// Calls action(place, corner, lane) for the corners of the entities of a vector that are in the pool, those of a union by
 /// ascending masses.
 template <class Real, class Action>
-HWY_INLINE void ForEachPooled(const SweepView<Real>& v, std::size_t site, Action&& action) {
+HWY_INLINE void for_each_pooled(const SweepView<Real>& v, std::size_t site, Action&& action) {
     constexpr std::size_t lanes = vector_lanes<Real>;
     for (std::size_t first = 0; first < lanes; first += Lattice::half) {
-        const PooledCorners* half = PooledOf(v, site + first);
+        const PooledCorners* half = pooled_of(v, site + first);
         for (std::size_t i = 0; half != nullptr && i < half->count; ++i) {
             const std::size_t lane = first + half->lane(i) - site % Lattice::half;
             if (lanes >= Lattice::half || lane < lanes) {
@@ -44,19 +44,19 @@ HWY_INLINE void ForEachPooled(const SweepView<Real>& v, std::size_t site, Action
 
 /// All corners are in the pool.
 template <class Real>
-HWY_INLINE bool IsPooled(const SweepView<Real>& v, std::size_t site) {
+HWY_INLINE bool is_pooled(const SweepView<Real>& v, std::size_t site) {
     const auto is_pooled = [&](std::size_t at) {
-        const PooledCorners* half = PooledOf(v, at);
+        const PooledCorners* half = pooled_of(v, at);
         return half != nullptr && half->count == PooledCorners::most;
     };
     return is_pooled(site) && (!is_whole_batch<Real> || is_pooled(site + Lattice::half));
 }
 
-/// A bit for each lane whose corner is in the base plane or void.
+/// A bit for each lane whose corner is in the base layer or void.
 template <class Real>
-HWY_INLINE std::uint8_t LanesInBase(const SweepView<Real>& v, std::size_t site, std::size_t corner) {
+HWY_INLINE std::uint8_t lanes_in_base(const SweepView<Real>& v, std::size_t site, std::size_t corner) {
     const auto of_half = [&](std::size_t at) -> unsigned {
-        const PooledCorners* half = PooledOf(v, at);
+        const PooledCorners* half = pooled_of(v, at);
         return half == nullptr ? PooledCorners::all_lanes : half->in_base[corner];
     };
     unsigned bits = of_half(site) >> site % Lattice::half;
@@ -67,7 +67,7 @@ HWY_INLINE std::uint8_t LanesInBase(const SweepView<Real>& v, std::size_t site, 
 }
 
 template <class Real>
-HWY_INLINE V3<Real> Where(std::uint8_t lanes, const V3<Real>& v) {
+HWY_INLINE V3<Real> zero_unless(std::uint8_t lanes, const V3<Real>& v) {
     const std::uint8_t bits[8] = {lanes};
     const auto mask = hn::LoadMaskBits(D<Real>{}, bits);
     return {hn::IfThenElseZero(mask, v.x), hn::IfThenElseZero(mask, v.y), hn::IfThenElseZero(mask, v.z)};
@@ -75,18 +75,18 @@ HWY_INLINE V3<Real> Where(std::uint8_t lanes, const V3<Real>& v) {
 
 /// Puts the motions of all corners together, wherever they are.
 template <class Real>
-CRACKSIM_INLINE void Assemble(const SweepView<Real>& v, const RowView& row, std::size_t at,
+CRACKSIM_INLINE void assemble(const SweepView<Real>& v, const RowView& row, std::size_t at,
                               Assembled<Real>& assembled) {
-    const bool all_pooled = IsPooled(v, row.first_site + at);
+    const bool all_pooled = is_pooled(v, row.first_site + at);
     for (std::size_t c = 0; !all_pooled && c < Hexahedron::corners; ++c) {
         const auto corner = static_cast<int>(c);
         const Real* base = v.base + row.vertex[Lattice::side(corner)] + at + Lattice::along(corner);
-        Store3(Load3(base, v.base_stride), assembled.motion[c][0], vector_lanes<Real>);
-        Store3(Load3(base + v.velocity_quantity * v.base_stride, v.base_stride), assembled.motion[c][3],
+        store3(load3(base, v.base_stride), assembled.motion[c][0], vector_lanes<Real>);
+        store3(load3(base + v.velocity_quantity * v.base_stride, v.base_stride), assembled.motion[c][3],
                vector_lanes<Real>);
     }
     const std::size_t velocity = Pooled::at(v.velocity_quantity);
-    ForEachPooled(v, row.first_site + at, [&](PoolPlace place, std::size_t corner, std::size_t lane) {
+    for_each_pooled(v, row.first_site + at, [&](PoolPlace place, std::size_t corner, std::size_t lane) {
         const Real* from = v.pool + place.index() * v.pool_stride;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             assembled.motion[corner][axis][lane] = from[axis];
@@ -97,12 +97,12 @@ CRACKSIM_INLINE void Assemble(const SweepView<Real>& v, const RowView& row, std:
 
 /// Adds the forces on corners that are in the pool.
 template <class Real>
-CRACKSIM_INLINE void AddToPool(const SweepView<Real>& v, std::size_t site, const Forces<Real>& forces) {
+CRACKSIM_INLINE void add_to_pool(const SweepView<Real>& v, std::size_t site, const Forces<Real>& forces) {
     HWY_ALIGN Real all[Hexahedron::corners][3][vector_lanes<Real>];
     for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
-        Store3(forces.f[c], all[c][0], vector_lanes<Real>);
+        store3(forces.f[c], all[c][0], vector_lanes<Real>);
     }
-    ForEachPooled(v, site, [&](PoolPlace place, std::size_t corner, std::size_t lane) {
+    for_each_pooled(v, site, [&](PoolPlace place, std::size_t corner, std::size_t lane) {
         Real* to = v.pool + place.index() * v.pool_stride + Pooled::at(Quantity::force);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             to[axis] += all[corner][axis][lane];
@@ -110,74 +110,74 @@ CRACKSIM_INLINE void AddToPool(const SweepView<Real>& v, std::size_t site, const
     });
 }
 
-/// The forces on corners in the base plane. Entities of which no corner on a side is there have nothing for that side's vertices.
-template <std::size_t kSide, class Real>
-CRACKSIM_INLINE void AddSideInBase(const SweepView<Real>& v, std::size_t site, Forces<Real>& forces, RowRun<Real>& run,
+/// The forces on corners in the base layer. Entities of which no corner on a side is there have nothing for that side's vertices.
+template <std::size_t Side, class Real>
+CRACKSIM_INLINE void add_side_in_base(const SweepView<Real>& v, std::size_t site, Forces<Real>& forces, RowRun<Real>& run,
                                    std::size_t at) {
-    const auto [lower, upper] = Lattice::corners_of_side[kSide];
-    const std::uint8_t lower_lanes = LanesInBase(v, site, lower);
-    const std::uint8_t upper_lanes = LanesInBase(v, site, upper);
+    const auto [lower, upper] = Lattice::corners_of_side[Side];
+    const std::uint8_t lower_lanes = lanes_in_base(v, site, lower);
+    const std::uint8_t upper_lanes = lanes_in_base(v, site, upper);
     if ((lower_lanes | upper_lanes) == 0) {
-        Deliver<kSide>(run, at);
+        deliver<Side>(run, at);
         return;
     }
-    forces.f[lower] = Where<Real>(lower_lanes, forces.f[lower]);
-    forces.f[upper] = Where<Real>(upper_lanes, forces.f[upper]);
-    AddSide<kSide>(forces, run, at);
+    forces.f[lower] = zero_unless<Real>(lower_lanes, forces.f[lower]);
+    forces.f[upper] = zero_unless<Real>(upper_lanes, forces.f[upper]);
+    add_side<Side>(forces, run, at);
 }
 
 /// Carried interactions of entities whose corners' motions are found in `from`.
-template <bool kMeasure, class From, class Real>
-CRACKSIM_INLINE void AddInteractions(const SweepView<Real>& v, std::size_t site, unsigned carried, const From& from,
+template <bool Measured, class From, class Real>
+CRACKSIM_INLINE void add_interactions(const SweepView<Real>& v, std::size_t site, unsigned represented, const From& from,
                                      Forces<Real>& forces, Outcome<Real>& outcome) {
-    const std::uint8_t* weights = WeightsOf(v, site);
-    const LimitsHere limits = LimitsOf(v, site);
-    AddCarried<false, kMeasure>(v, carried, from, weights, limits, forces, outcome);
-    if (IsFar(outcome)) {
-        AddFar<kMeasure>(v, carried, from, weights, limits, forces, outcome);
+    const std::uint8_t* multiplicities = multiplicities_of(v, site);
+    const LimitsHere limits = limits_of(v, site);
+    add_represented<false, Measured>(v, represented, from, multiplicities, limits, forces, outcome);
+    if (is_far(outcome)) {
+        add_far<Measured>(v, represented, from, multiplicities, limits, forces, outcome);
     }
 }
 
-/// The entities of a row from the place `at` on, all of whose corners are in the base plane, whatever they carry.
-template <bool kMeasure, class Real>
-HWY_NOINLINE void SweepBase(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at, unsigned carried,
+/// The entities of a row from the place `at` on, all of whose corners are in the base layer, whatever they represent.
+template <bool Measured, class Real>
+HWY_NOINLINE void sweep_base(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at, unsigned represented,
                             RowSums<Real>& sums) {
     Forces<Real> forces;
     Outcome<Real> outcome;
-    AddInteractions<kMeasure>(v, row.first_site + at, carried, PlainCornersAt(v, run, at), forces, outcome);
-    AddSides(forces, run, at);
-    Collect<kMeasure>(v, outcome, OwnedOf(v, row.first_site + at), row.first_site + at, sums);
+    add_interactions<Measured>(v, row.first_site + at, represented, plain_corners_at(v, run, at), forces, outcome);
+    add_sides(forces, run, at);
+    add_to_sums<Measured>(v, outcome, owned_of(v, row.first_site + at), row.first_site + at, sums);
 }
 
 /// The same in any state of their unions.
-template <bool kMeasure, class Real>
-HWY_NOINLINE void SweepSplit(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
-                             unsigned carried, RowSums<Real>& sums) {
+template <bool Measured, class Real>
+HWY_NOINLINE void sweep_split(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
+                             unsigned represented, RowSums<Real>& sums) {
     const std::size_t site = row.first_site + at;
     Assembled<Real> assembled;
-    Assemble(v, row, at, assembled);
+    assemble(v, row, at, assembled);
     Forces<Real> forces;
     Outcome<Real> outcome;
-    AddInteractions<kMeasure>(v, site, carried, assembled, forces, outcome);
-    AddToPool(v, site, forces);
-    AddSideInBase<0>(v, site, forces, run, at);
-    AddSideInBase<1>(v, site, forces, run, at);
-    AddSideInBase<2>(v, site, forces, run, at);
-    AddSideInBase<3>(v, site, forces, run, at);
-    Collect<kMeasure>(v, outcome, OwnedOf(v, site), site, sums);
+    add_interactions<Measured>(v, site, represented, assembled, forces, outcome);
+    add_to_pool(v, site, forces);
+    add_side_in_base<0>(v, site, forces, run, at);
+    add_side_in_base<1>(v, site, forces, run, at);
+    add_side_in_base<2>(v, site, forces, run, at);
+    add_side_in_base<3>(v, site, forces, run, at);
+    add_to_sums<Measured>(v, outcome, owned_of(v, site), site, sums);
 }
 
-template <bool kMeasure, class Real>
-CRACKSIM_INLINE void SweepAny(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
+template <bool Measured, class Real>
+CRACKSIM_INLINE void sweep_any(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
                               RowSums<Real>& sums) {
     const std::size_t site = row.first_site + at;
-    const unsigned carried = CarriedBy(v, site) & ~Merging::properties;
-    if (carried == 0) {
-        Deliver(run, at);
-    } else if (IsBase(v, site)) {
-        SweepBase<kMeasure>(v, row, run, at, carried, sums);
+    const unsigned represented = represented_by(v, site) & ~SharedEdges::properties;
+    if (represented == 0) {
+        deliver(run, at);
+    } else if (is_base(v, site)) {
+        sweep_base<Measured>(v, row, run, at, represented, sums);
     } else {
-        SweepSplit<kMeasure>(v, row, run, at, carried, sums);
+        sweep_split<Measured>(v, row, run, at, represented, sums);
     }
 }
 

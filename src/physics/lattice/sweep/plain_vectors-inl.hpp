@@ -1,9 +1,9 @@
-// Vectors of entities whose corners are all in the base plane, once for each SIMD target: no include guard, but Highway's.
-#if defined(CRACKSIM_PHYSICS_PLAIN_VECTORS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
-#ifdef CRACKSIM_PHYSICS_PLAIN_VECTORS_INL_HPP
-#undef CRACKSIM_PHYSICS_PLAIN_VECTORS_INL_HPP
+// Vectors of entities whose corners are all in the base layer, once for each SIMD target: no include guard, but Highway's.
+#if defined(CRACKSIM_PHYSICS_LATTICE_SWEEP_PLAIN_VECTORS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef CRACKSIM_PHYSICS_LATTICE_SWEEP_PLAIN_VECTORS_INL_HPP
+#undef CRACKSIM_PHYSICS_LATTICE_SWEEP_PLAIN_VECTORS_INL_HPP
 #else
-#define CRACKSIM_PHYSICS_PLAIN_VECTORS_INL_HPP
+#define CRACKSIM_PHYSICS_LATTICE_SWEEP_PLAIN_VECTORS_INL_HPP
 #endif
 
 #include <hwy/highway.h>
@@ -20,46 +20,46 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-template <unsigned kMask, std::size_t... I>
+template <unsigned Mask, std::size_t... I>
 constexpr auto list_of(std::index_sequence<I...>) {
-    if constexpr (sizeof...(I) == std::popcount(kMask)) {
+    if constexpr (sizeof...(I) == std::popcount(Mask)) {
         return std::index_sequence<I...>{};
     } else {
         constexpr std::size_t found = sizeof...(I);
         constexpr std::size_t next = [] {
-            unsigned rest = kMask;
+            unsigned rest = Mask;
             for (std::size_t i = 0; i < found; ++i) {
                 rest &= rest - 1;
             }
             return static_cast<std::size_t>(std::countr_zero(rest));
         }();
-        return list_of<kMask>(std::index_sequence<I..., next>{});
+        return list_of<Mask>(std::index_sequence<I..., next>{});
     }
 }
 /// The interactions whose bits are set, ascending.
-template <unsigned kMask>
-using ListOf = decltype(list_of<kMask>(std::index_sequence<>{}));
+template <unsigned Mask>
+using ListOf = decltype(list_of<Mask>(std::index_sequence<>{}));
 
-/// Entities whose corners are all in the base plane: they are loaded where they are needed, for there are too many to be kept in
+/// Entities whose corners are all in the base layer: they are loaded where they are needed, for there are too many to be kept in
 /// registers.
 template <class Real>
 struct PlainCorners {
-    const Real* side[Lattice::sides];  ///< the lower corners' u in the base plane
+    const Real* side[Lattice::sides];  ///< the lower corners' u in the base layer
     std::size_t stride;
     std::size_t velocity;  ///< from u to what damping takes for w
 
-    template <std::size_t C, std::size_t kAxis>
-    HWY_INLINE V<Real> Displacement() const {
-        return hn::LoadU(D<Real>{}, Place<C>() + kAxis * stride);
+    template <std::size_t C, std::size_t Axis>
+    HWY_INLINE V<Real> displacement() const {
+        return hn::LoadU(D<Real>{}, place<C>() + Axis * stride);
     }
-    template <std::size_t C, std::size_t kAxis>
-    HWY_INLINE V<Real> VelocityIncrement() const {
-        return hn::LoadU(D<Real>{}, Place<C>() + velocity + kAxis * stride);
+    template <std::size_t C, std::size_t Axis>
+    HWY_INLINE V<Real> velocity_increment() const {
+        return hn::LoadU(D<Real>{}, place<C>() + velocity + Axis * stride);
     }
 
 private:
     template <std::size_t C>
-    HWY_INLINE const Real* Place() const {
+    HWY_INLINE const Real* place() const {
         const Real* place = side[Lattice::side(C)];
         // What the compiler believes to be another place it loads again, instead of keeping it on the stack: 3 % of a step.
         asm("" : "+r"(place));
@@ -69,89 +69,89 @@ private:
 
 /// The corners of the entities of a run from the place `at` on.
 template <class Real>
-HWY_INLINE PlainCorners<Real> PlainCornersAt(const SweepView<Real>& v, const RowRun<Real>& run, std::size_t at) {
+HWY_INLINE PlainCorners<Real> plain_corners_at(const SweepView<Real>& v, const RowRun<Real>& run, std::size_t at) {
     return {{run.side[0] + at, run.side[1] + at, run.side[2] + at, run.side[3] + at},
             run.stride,
             v.velocity_quantity * run.stride};
 }
 
-/// What is known of the weights of a vector's entities: nothing, or a property of merging.hpp.
-enum class Weights { any, full, inside };
+/// What is known of the multiplicities of a vector's entities: nothing, or a property of merging.hpp.
+enum class Known { any, full, interior };
 
-template <Weights kKnown, std::size_t I, class Real>
-HWY_INLINE V<Real> PlainWeight(const std::uint8_t* weights) {
+template <Known What, std::size_t I, class Real>
+HWY_INLINE V<Real> plain_multiplicity(const std::uint8_t* multiplicities) {
     constexpr bool is_diagonal = I >= HexahedronPairs::edges && I < HexahedronPairs::count;
-    if constexpr (kKnown == Weights::inside || (kKnown == Weights::full && is_diagonal)) {
-        return Same<Real>(Merging::inside_weights[I]);
+    if constexpr (What == Known::interior || (What == Known::full && is_diagonal)) {
+        return broadcast<Real>(SharedEdges::interior_multiplicities[I]);
     } else {
-        return Weight<Real>(weights, I);
+        return multiplicity_of<Real>(multiplicities, I);
     }
 }
 
-template <Weights kKnown, unsigned kCarried, bool kMeasure, class Real, std::size_t... I>
-CRACKSIM_INLINE void AddAllPlain(const SweepView<Real>& v, RowRun<Real>& run, std::size_t at,
-                                 const std::uint8_t* weights, const LimitsHere& limits, Outcome<Real>& outcome,
+template <Known What, unsigned Represented, bool Measured, class Real, std::size_t... I>
+CRACKSIM_INLINE void add_all_plain(const SweepView<Real>& v, RowRun<Real>& run, std::size_t at,
+                                 const std::uint8_t* multiplicities, const LimitsHere& limits, Outcome<Real>& outcome,
                                  std::index_sequence<I...> list) {
-    constexpr bool no_void = kKnown != Weights::any && kCarried == Merging::inside_list;
-    const PlainCorners<Real> x = PlainCornersAt(v, run, at);
+    constexpr bool no_void = What != Known::any && Represented == SharedEdges::interior_list;
+    const PlainCorners<Real> x = plain_corners_at(v, run, at);
     Interactions<Real> all;
-    ((all.weight[I] = PlainWeight<kKnown, I, Real>(weights)), ...);
-    FindStretches<no_void, true, false, kMeasure>(v, x, limits, all, outcome, list);
-    if (IsFar(outcome)) {
+    ((all.multiplicity[I] = plain_multiplicity<What, I, Real>(multiplicities)), ...);
+    find_stretches<no_void, true, false, Measured>(v, x, limits, all, outcome, list);
+    if (is_far(outcome)) {
         Forces<Real> forces;
-        AddFar<kMeasure>(v, kCarried, x, weights, limits, forces, outcome);
-        AddSides(forces, run, at);
+        add_far<Measured>(v, Represented, x, multiplicities, limits, forces, outcome);
+        add_sides(forces, run, at);
         return;
     }
-    ForEach<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
+    for_each<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
         V<Real> force[Hexahedron::corners];
-        AddForces<axis>(all, force, list);
-        ForEach<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
+        add_forces<axis>(all, force, list);
+        for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
             const auto [lower, upper] = Lattice::corners_of_side[side];
-            AddComponentToSide<side, axis>(force[lower], force[upper], run, at);
+            add_component_to_side<side, axis>(force[lower], force[upper], run, at);
         });
     });
     std::fill_n(run.has_before, Lattice::sides, true);
 }
 
-/// Consecutive vectors of a row that carry the same, from the place `at` to `end`.
-template <unsigned kCarried, Weights kKnown, bool kMeasure, class Real>
-HWY_NOINLINE void SweepPlain(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at, std::size_t end,
+/// Consecutive vectors of a row that represent the same, from the place `at` to `end`.
+template <unsigned Represented, Known What, bool Measured, class Real>
+HWY_NOINLINE void sweep_plain(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at, std::size_t end,
                              RowSums<Real>& sums) {
     for (; at < end; at += vector_lanes<Real>) {
         const std::size_t site = row.first_site + at;
-        Outcome<Real> outcome = Nothing<Real>();
-        const std::uint8_t* weights = WeightsOf(v, site);
-        AddAllPlain<kKnown, kCarried, kMeasure>(v, run, at, weights, LimitsOf(v, site), outcome, ListOf<kCarried>{});
-        Collect<kMeasure>(v, outcome, PlainWeight<kKnown, Merging::owned_row, Real>(weights), site, sums);
+        Outcome<Real> outcome = no_outcome<Real>();
+        const std::uint8_t* multiplicities = multiplicities_of(v, site);
+        add_all_plain<What, Represented, Measured>(v, run, at, multiplicities, limits_of(v, site), outcome, ListOf<Represented>{});
+        add_to_sums<Measured>(v, outcome, plain_multiplicity<What, SharedEdges::owned_row, Real>(multiplicities), site, sums);
     }
 }
 
-/// False: not with what is carried.
-template <bool kMeasure, class Real>
-HWY_INLINE bool SweepPlain(unsigned carried, SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
+/// False: not with what is represented.
+template <bool Measured, class Real>
+HWY_INLINE bool sweep_plain(unsigned represented, SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
                            std::size_t end, RowSums<Real>& sums) {
-    // What vectors of an intact block carry; the rare ones, and those of a block only a vector wide, are left to SweepBase.
-    constexpr unsigned inside = carried_if_intact(false, false, false);
-    constexpr unsigned start_of_row = carried_if_intact(true, false, false);
-    constexpr unsigned front = carried_if_intact(false, true, false);
-    constexpr unsigned lowest = carried_if_intact(false, false, true);
-    constexpr unsigned lowest_start = carried_if_intact(true, false, true);
-    constexpr unsigned full = 1U << Merging::full;
-    switch (carried) {
-        case inside | Merging::properties:
-            SweepPlain<inside, Weights::inside, kMeasure>(v, row, run, at, end, sums);
+    // What vectors of an intact block represent; the rare ones, and those of a block only a vector wide, are left to sweep_base.
+    constexpr unsigned interior = represented_if_intact(false, false, false);
+    constexpr unsigned start_of_row = represented_if_intact(true, false, false);
+    constexpr unsigned front = represented_if_intact(false, true, false);
+    constexpr unsigned lowest = represented_if_intact(false, false, true);
+    constexpr unsigned lowest_start = represented_if_intact(true, false, true);
+    constexpr unsigned full = 1U << SharedEdges::full;
+    switch (represented) {
+        case interior | SharedEdges::properties:
+            sweep_plain<interior, Known::interior, Measured>(v, row, run, at, end, sums);
             return true;
-        case inside | full: SweepPlain<inside, Weights::full, kMeasure>(v, row, run, at, end, sums); return true;
-        case inside: SweepPlain<inside, Weights::any, kMeasure>(v, row, run, at, end, sums); return true;
+        case interior | full: sweep_plain<interior, Known::full, Measured>(v, row, run, at, end, sums); return true;
+        case interior: sweep_plain<interior, Known::any, Measured>(v, row, run, at, end, sums); return true;
         case start_of_row | full:
-            SweepPlain<start_of_row, Weights::full, kMeasure>(v, row, run, at, end, sums);
+            sweep_plain<start_of_row, Known::full, Measured>(v, row, run, at, end, sums);
             return true;
-        case front | full: SweepPlain<front, Weights::full, kMeasure>(v, row, run, at, end, sums); return true;
-        case lowest | full: SweepPlain<lowest, Weights::full, kMeasure>(v, row, run, at, end, sums); return true;
-        case lowest: SweepPlain<lowest, Weights::any, kMeasure>(v, row, run, at, end, sums); return true;
+        case front | full: sweep_plain<front, Known::full, Measured>(v, row, run, at, end, sums); return true;
+        case lowest | full: sweep_plain<lowest, Known::full, Measured>(v, row, run, at, end, sums); return true;
+        case lowest: sweep_plain<lowest, Known::any, Measured>(v, row, run, at, end, sums); return true;
         case lowest_start | full:
-            SweepPlain<lowest_start, Weights::full, kMeasure>(v, row, run, at, end, sums);
+            sweep_plain<lowest_start, Known::full, Measured>(v, row, run, at, end, sums);
             return true;
         default: return false;
     }

@@ -1,9 +1,9 @@
 // A row of entities in vectors of neighbours, once for each SIMD target: no include guard, but Highway's.
-#if defined(CRACKSIM_PHYSICS_ROWS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
-#ifdef CRACKSIM_PHYSICS_ROWS_INL_HPP
-#undef CRACKSIM_PHYSICS_ROWS_INL_HPP
+#if defined(CRACKSIM_PHYSICS_LATTICE_SWEEP_ROWS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef CRACKSIM_PHYSICS_LATTICE_SWEEP_ROWS_INL_HPP
+#undef CRACKSIM_PHYSICS_LATTICE_SWEEP_ROWS_INL_HPP
 #else
-#define CRACKSIM_PHYSICS_ROWS_INL_HPP
+#define CRACKSIM_PHYSICS_LATTICE_SWEEP_ROWS_INL_HPP
 #endif
 
 #include <hwy/highway.h>
@@ -17,20 +17,20 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-/// What some entity of the vector carries, and of Merging's properties those that all of its halves have.
+/// What some entity of the vector represents, and of SharedEdges's properties those that all of its halves have.
 template <class Real>
-HWY_INLINE unsigned CarriedBy(const SweepView<Real>& v, std::size_t site) {
-    const std::uint32_t* half = v.carried + site / Lattice::half;
+HWY_INLINE unsigned represented_by(const SweepView<Real>& v, std::size_t site) {
+    const std::uint32_t* half = v.represented + site / Lattice::half;
     if constexpr (is_whole_batch<Real>) {
-        return ((half[0] | half[1]) & ~Merging::properties) | (half[0] & half[1] & Merging::properties);
+        return ((half[0] | half[1]) & ~SharedEdges::properties) | (half[0] & half[1] & SharedEdges::properties);
     } else {
         return half[0];
     }
 }
 
-/// All corners are in the base plane.
+/// All corners are in the base layer.
 template <class Real>
-HWY_INLINE bool IsBase(const SweepView<Real>& v, std::size_t site) {
+HWY_INLINE bool is_base(const SweepView<Real>& v, std::size_t site) {
     const std::int32_t* half = v.pooled_of_half + site / Lattice::half;
     return half[0] < 0 && (!is_whole_batch<Real> || half[1] < 0);
 }
@@ -38,7 +38,7 @@ HWY_INLINE bool IsBase(const SweepView<Real>& v, std::size_t site) {
 /// The upper corners' forces one lane on, so that they stand at the same vertices as the lower ones; the last one goes to the
 /// next vector.
 template <class Real>
-HWY_INLINE V<Real> Shifted(V<Real> upper, V<Real>& from_before) {
+HWY_INLINE V<Real> shifted(V<Real> upper, V<Real>& from_before) {
 #if HWY_TARGET <= HWY_AVX3
     // One instruction, which Highway has no name for.
     static_assert(is_whole_batch<Real>);
@@ -65,9 +65,9 @@ HWY_INLINE V<Real> Shifted(V<Real> upper, V<Real>& from_before) {
     return shifted;
 }
 
-/// The last one of those that Shifted leaves for the next vector.
+/// The last one of those that shifted leaves for the next vector.
 template <class Real>
-HWY_INLINE Real HandedOnBy(V<Real> from_before) {
+HWY_INLINE Real handed_on_by(V<Real> from_before) {
 #if HWY_TARGET <= HWY_AVX3
     return hn::ExtractLane(from_before, vector_lanes<Real> - 1);
 #else
@@ -84,15 +84,15 @@ struct HandedOn {
 /// How far the sweep of a row is.
 template <class Real>
 struct RowRun {
-    Real* side[Lattice::sides];  ///< where the lower corners of the row's first entity are in the base plane
-    std::size_t stride;          ///< from a quantity in the base plane to the next
+    Real* side[Lattice::sides];  ///< where the lower corners of the row's first entity are in the base layer
+    std::size_t stride;          ///< from a quantity in the base layer to the next
     HandedOn<Real> before;
     bool has_before[Lattice::sides];  ///< false: nothing was handed on, and `before` is zero
 };
 
 template <class Real>
-HWY_INLINE RowRun<Real> BeginRun(const SweepView<Real>& v, const RowView& row) {
-    RowRun<Real> run{{}, v.base_stride, {{Zero3<Real>(), Zero3<Real>(), Zero3<Real>(), Zero3<Real>()}}, {}};
+HWY_INLINE RowRun<Real> begin_run(const SweepView<Real>& v, const RowView& row) {
+    RowRun<Real> run{{}, v.base_stride, {{zero3<Real>(), zero3<Real>(), zero3<Real>(), zero3<Real>()}}, {}};
     for (std::size_t side = 0; side < Lattice::sides; ++side) {
         run.side[side] = v.base + row.vertex[side];
     }
@@ -100,54 +100,54 @@ HWY_INLINE RowRun<Real> BeginRun(const SweepView<Real>& v, const RowView& row) {
 }
 
 /// A component of the forces on the lower and the upper corners of the entities from the place `at` on, and what those before them
-/// handed on, to a side in the base plane.
-template <std::size_t kSide, std::size_t kAxis, class Real>
-CRACKSIM_INLINE void AddComponentToSide(V<Real> lower, V<Real> upper, RowRun<Real>& run, std::size_t at) {
+/// handed on, to a side in the base layer.
+template <std::size_t Side, std::size_t Axis, class Real>
+CRACKSIM_INLINE void add_component_to_side(V<Real> lower, V<Real> upper, RowRun<Real>& run, std::size_t at) {
     const D<Real> d;
-    Real* force = run.side[kSide] + (Quantity::force + kAxis) * run.stride + at;
-    const V<Real> sum = hn::Add(hn::LoadU(d, force), Shifted<Real>(upper, Part<kAxis>(run.before.side[kSide])));
+    Real* force = run.side[Side] + (Quantity::force + Axis) * run.stride + at;
+    const V<Real> sum = hn::Add(hn::LoadU(d, force), shifted<Real>(upper, component<Axis>(run.before.side[Side])));
     hn::StoreU(hn::Add(sum, lower), d, force);
 }
 
-template <std::size_t kSide, class Real>
-CRACKSIM_INLINE void AddSide(const Forces<Real>& forces, RowRun<Real>& run, std::size_t at) {
-    const V3<Real>& lower = forces.f[Lattice::corners_of_side[kSide][0]];
-    const V3<Real>& upper = forces.f[Lattice::corners_of_side[kSide][1]];
-    AddComponentToSide<kSide, 0>(lower.x, upper.x, run, at);
-    AddComponentToSide<kSide, 1>(lower.y, upper.y, run, at);
-    AddComponentToSide<kSide, 2>(lower.z, upper.z, run, at);
-    run.has_before[kSide] = true;
+template <std::size_t Side, class Real>
+CRACKSIM_INLINE void add_side(const Forces<Real>& forces, RowRun<Real>& run, std::size_t at) {
+    const V3<Real>& lower = forces.f[Lattice::corners_of_side[Side][0]];
+    const V3<Real>& upper = forces.f[Lattice::corners_of_side[Side][1]];
+    add_component_to_side<Side, 0>(lower.x, upper.x, run, at);
+    add_component_to_side<Side, 1>(lower.y, upper.y, run, at);
+    add_component_to_side<Side, 2>(lower.z, upper.z, run, at);
+    run.has_before[Side] = true;
 }
 
 template <class Real>
-CRACKSIM_INLINE void AddSides(const Forces<Real>& forces, RowRun<Real>& run, std::size_t at) {
-    AddSide<0>(forces, run, at);
-    AddSide<1>(forces, run, at);
-    AddSide<2>(forces, run, at);
-    AddSide<3>(forces, run, at);
+CRACKSIM_INLINE void add_sides(const Forces<Real>& forces, RowRun<Real>& run, std::size_t at) {
+    add_side<0>(forces, run, at);
+    add_side<1>(forces, run, at);
+    add_side<2>(forces, run, at);
+    add_side<3>(forces, run, at);
 }
 
 /// What was handed on goes to the vertices at the place `at`.
-template <std::size_t kSide, class Real>
-HWY_INLINE void Deliver(RowRun<Real>& run, std::size_t at) {
-    if (!run.has_before[kSide]) {
+template <std::size_t Side, class Real>
+HWY_INLINE void deliver(RowRun<Real>& run, std::size_t at) {
+    if (!run.has_before[Side]) {
         return;
     }
-    Real* force = run.side[kSide] + Quantity::force * run.stride + at;
-    V3<Real>& before = run.before.side[kSide];
-    force[0] += HandedOnBy<Real>(before.x);
-    force[run.stride] += HandedOnBy<Real>(before.y);
-    force[2 * run.stride] += HandedOnBy<Real>(before.z);
-    before = Zero3<Real>();
-    run.has_before[kSide] = false;
+    Real* force = run.side[Side] + Quantity::force * run.stride + at;
+    V3<Real>& before = run.before.side[Side];
+    force[0] += handed_on_by<Real>(before.x);
+    force[run.stride] += handed_on_by<Real>(before.y);
+    force[2 * run.stride] += handed_on_by<Real>(before.z);
+    before = zero3<Real>();
+    run.has_before[Side] = false;
 }
 
 template <class Real>
-HWY_INLINE void Deliver(RowRun<Real>& run, std::size_t at) {
-    Deliver<0>(run, at);
-    Deliver<1>(run, at);
-    Deliver<2>(run, at);
-    Deliver<3>(run, at);
+HWY_INLINE void deliver(RowRun<Real>& run, std::size_t at) {
+    deliver<0>(run, at);
+    deliver<1>(run, at);
+    deliver<2>(run, at);
+    deliver<3>(run, at);
 }
 
 }  // namespace cracksim::physics::HWY_NAMESPACE

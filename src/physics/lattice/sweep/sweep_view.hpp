@@ -14,8 +14,8 @@ namespace cracksim::physics {
 
 enum class Measure { nothing, elastic_energy };
 
-/// The polynomial P with 1 - (1 + x)^(-1/2) = x P(x), for extensions |x| <= Extension::small to a relative 3.3e-15 in double, 1.4e-8 in
-/// single precision (minimax); up to Extension::near to 1.7e-4 and 0.7 %, which a step of third and of second order corrects.
+/// The polynomial P with 1 - (1 + x)^(-1/2) = x P(x), for quadratic_strains |x| <= QuadraticStrain::small to a relative 3.3e-15 in double, 1.4e-8 in
+/// single precision (minimax); up to QuadraticStrain::near to 1.7e-4 and 0.7 %, which a step of third and of second order corrects.
 template <class Real>
 struct Series;
 template <>
@@ -30,8 +30,8 @@ struct Series<float> {
     static constexpr std::array<double, 6> p{0.500000006641967219,  -0.375000012473468141, 0.312488058434094334,
                                              -0.273423804208871773, 0.249268080406582222,  -0.228762180614401288};
 };
-/// Of extensions |d|^2/L0^2 - 1.
-struct Extension {
+/// Of quadratic_strains |d|^2/L0^2 - 1.
+struct QuadraticStrain {
     static constexpr double small = 0.1;
     static constexpr double near = 0.5;
     /// Below this |d|^2/L0^2 the direction is not defined.
@@ -84,13 +84,13 @@ struct SweepView {
     Real* pool;
     std::size_t pool_stride;
     std::size_t velocity_quantity;
-    /// [half of a batch]: index into pooled, -1 where all corners are in the base plane
+    /// [half of a batch]: index into pooled, -1 where all corners are in the base layer
     const std::int32_t* pooled_of_half;
     const PooledCorners* pooled;
-    const std::uint8_t* weights;    ///< [batch][row][lane]
-    const std::uint32_t* carried;   ///< [half of a batch] (merging.hpp)
-    const UpperHalf* limits;        ///< [batch][edge][lane]
-    const UpperHalf* lowest_limit;  ///< [half of a batch]
+    const std::uint8_t* multiplicities;    ///< [batch][row][lane]
+    const std::uint32_t* represented;   ///< [half of a batch] (merging.hpp)
+    const Bfloat16* limits;        ///< [batch][edge][lane]
+    const Bfloat16* lowest_limit;  ///< [half of a batch]
     EdgeBits* exceeded;             ///< [batch]: edges stretched beyond their limit
     double dissipated;              ///< out: sum of (z/dt) (dw.n)^2, J
     double elastic;                 ///< out: sum of k e^2 / 2, J

@@ -1,9 +1,9 @@
 // Vectors of neighbours in a row, once for each SIMD target: no include guard, but Highway's.
-#if defined(CRACKSIM_PHYSICS_VECTORS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
-#ifdef CRACKSIM_PHYSICS_VECTORS_INL_HPP
-#undef CRACKSIM_PHYSICS_VECTORS_INL_HPP
+#if defined(CRACKSIM_PHYSICS_LATTICE_SWEEP_VECTORS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef CRACKSIM_PHYSICS_LATTICE_SWEEP_VECTORS_INL_HPP
+#undef CRACKSIM_PHYSICS_LATTICE_SWEEP_VECTORS_INL_HPP
 #else
-#define CRACKSIM_PHYSICS_VECTORS_INL_HPP
+#define CRACKSIM_PHYSICS_LATTICE_SWEEP_VECTORS_INL_HPP
 #endif
 
 #include <hwy/highway.h>
@@ -39,11 +39,11 @@ struct V3 {
     V<Real> x, y, z;
 };
 
-template <std::size_t kAxis, class Vector>
-HWY_INLINE auto& Part(Vector& v) {
-    if constexpr (kAxis == 0) {
+template <std::size_t Axis, class Vector>
+HWY_INLINE auto& component(Vector& v) {
+    if constexpr (Axis == 0) {
         return v.x;
-    } else if constexpr (kAxis == 1) {
+    } else if constexpr (Axis == 1) {
         return v.y;
     } else {
         return v.z;
@@ -52,13 +52,13 @@ HWY_INLINE auto& Part(Vector& v) {
 
 /// The same in all lanes.
 template <class Real>
-HWY_INLINE V<Real> Same(double value) {
+HWY_INLINE V<Real> broadcast(double value) {
     const D<Real> d;
     return hn::Set(d, static_cast<Real>(value));
 }
 /// Small whole numbers, one a byte.
 template <class Real>
-HWY_INLINE V<Real> FromBytes(const std::uint8_t* from) {
+HWY_INLINE V<Real> from_bytes(const std::uint8_t* from) {
     const D<Real> d;
     const hn::Rebind<std::int32_t, D<Real>> d32;
     const auto whole = hn::PromoteTo(d32, hn::LoadU(hn::Rebind<std::uint8_t, D<Real>>{}, from));
@@ -70,8 +70,8 @@ HWY_INLINE V<Real> FromBytes(const std::uint8_t* from) {
 }
 /// The upper halves of numbers in single precision, with nothing below.
 template <class Real>
-HWY_INLINE V<Real> FromUpperHalves(const UpperHalf* upper) {
-    static_assert(sizeof(UpperHalf) == sizeof(std::uint16_t));
+HWY_INLINE V<Real> from_bfloat16(const Bfloat16* upper) {
+    static_assert(sizeof(Bfloat16) == sizeof(std::uint16_t));
     const auto* from = reinterpret_cast<const std::uint16_t*>(upper);
     const D<Real> d;
     const hn::Rebind<std::uint32_t, D<Real>> d32;
@@ -84,17 +84,17 @@ HWY_INLINE V<Real> FromUpperHalves(const UpperHalf* upper) {
     }
 }
 template <class Real>
-HWY_INLINE V3<Real> Zero3() {
+HWY_INLINE V3<Real> zero3() {
     const D<Real> d;
     return {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
 }
 template <class Real>
-HWY_INLINE V3<Real> Load3(const Real* from, std::size_t stride) {
+HWY_INLINE V3<Real> load3(const Real* from, std::size_t stride) {
     const D<Real> d;
     return {hn::LoadU(d, from), hn::LoadU(d, from + stride), hn::LoadU(d, from + 2 * stride)};
 }
 template <class Real>
-HWY_INLINE void Store3(const V3<Real>& v, Real* to, std::size_t stride) {
+HWY_INLINE void store3(const V3<Real>& v, Real* to, std::size_t stride) {
     const D<Real> d;
     hn::StoreU(v.x, d, to);
     hn::StoreU(v.y, d, to + stride);
@@ -102,7 +102,7 @@ HWY_INLINE void Store3(const V3<Real>& v, Real* to, std::size_t stride) {
 }
 
 template <class Real>
-HWY_INLINE unsigned Bits(hn::Mask<D<Real>> mask) {
+HWY_INLINE unsigned mask_bits(hn::Mask<D<Real>> mask) {
     const D<Real> d;
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(d, mask, bits);

@@ -51,7 +51,7 @@ void expect_nothing_missed(double stretch, int ulps, Precision precision) {
     std::mt19937_64 random{static_cast<std::uint64_t>(ulps + 3)};
     std::uniform_real_distribution<double> moved{-3, 3};
     const Vec3 away{moved(random), moved(random), moved(random)};
-    for (const Slot s : state.unions.advanced()) {
+    for (const LocalUnion s : state.unions.advanced()) {
         const double x = network.rest_position(state.unions.smallest_mass(s)).x;
         state.set_displacement(s, away + Vec3{stretch * x, 0, 0});
     }
@@ -83,7 +83,7 @@ TEST(Prefilter, MissesNothingWhereAnotherEdgeHasVanished) {
         return {rest.y < 0.5 && rest.z > 0.5 && rest.x < 0.5 ? 1.0 : 0.0, 0, 0};
     };
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
-        state.set_displacement(state.unions.slot(m), at(m));
+        state.set_displacement(state.unions.union_of(m), at(m));
     }
     accumulate_forces(network, state, Measure::elastic_energy);
     EXPECT_TRUE(std::isfinite(state.elastic));
@@ -95,7 +95,7 @@ TEST(Prefilter, MissesNothingWhereAnotherEdgeHasVanished) {
 void walk(State& state, double size, std::uint64_t seed) {
     State step = state;
     test::shake(step, size, seed);
-    for (const Slot s : state.unions.advanced()) {
+    for (const LocalUnion s : state.unions.advanced()) {
         state.set_displacement(s, state.displacement(s) + step.displacement(s));
     }
 }
@@ -156,14 +156,14 @@ TEST(Sensor, TriggersAcrossTheStretchedFaceOnly) {
     block.cells = {2, 2, 1};
     const Network network = block.network();
     State state{network, Scheme::cordis, 0.3};
-    for (const Slot s : state.unions.advanced()) {
+    for (const LocalUnion s : state.unions.advanced()) {
         state.set_displacement(s, {0.021 * network.rest_position(state.unions.smallest_mass(s)).x, 0, 0});
     }
     accumulate_forces(network, state, Measure::nothing);
     const auto triggered = Sensors{Prefilter::on}.sense(network, state);
     EXPECT_EQ(triggered.size(), 8U);
     for (const LocalDuplet d : triggered) {
-        EXPECT_EQ(network.interfaces()[static_cast<std::size_t>(d.value() / 4)].face_a / 2, 0);
+        EXPECT_EQ(network.interior_faces()[static_cast<std::size_t>(d.value() / 4)].face_a / 2, 0);
     }
 }
 

@@ -18,7 +18,7 @@ std::set<std::set<std::int32_t>> flooded(const Network& network, const std::set<
     std::iota(label.begin(), label.end(), 0);
     for (bool changed = true; changed;) {
         changed = false;
-        for (std::int32_t d = 0; d < static_cast<std::int32_t>(network.interfaces().size()) * 4; ++d) {
+        for (std::int32_t d = 0; d < static_cast<std::int32_t>(network.interior_faces().size()) * 4; ++d) {
             const auto [a, b] = masses_of(network, LocalDuplet{d});
             if (inactive.contains(LocalDuplet{d}) || label[a.index()] == label[b.index()]) {
                 continue;
@@ -41,10 +41,10 @@ std::set<std::set<std::int32_t>> flooded(const Network& network, const std::set<
 /// Where corners meet without a duplet.
 std::set<LocalDuplet> missing(const Network& network) {
     std::set<LocalDuplet> found;
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interfaces().size()); ++i) {
-        for (int k = 0; k < Network::duplets_per_interface; ++k) {
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interior_faces().size()); ++i) {
+        for (int k = 0; k < Network::duplets_per_face; ++k) {
             if (!network.has_touched_duplet(i, k)) {
-                found.emplace(i * Network::duplets_per_interface + k);
+                found.emplace(i * Network::duplets_per_face + k);
             }
         }
     }
@@ -54,7 +54,7 @@ std::set<LocalDuplet> missing(const Network& network) {
 std::set<std::set<std::int32_t>> unions_of(const State& state) {
     std::set<std::set<std::int32_t>> all;
     std::vector<LocalMass> masses;
-    for (const Slot s : state.unions.advanced()) {
+    for (const LocalUnion s : state.unions.advanced()) {
         state.unions.masses(s, masses);
         std::set<std::int32_t> values;
         for (const LocalMass m : masses) {
@@ -74,7 +74,7 @@ TEST(Split, LeavesTheConnectedComponentsOfTheRemainingDuplets) {
         State state{network, Scheme::ab2, 0.3};
         std::mt19937_64 random{seed};
         std::set<LocalDuplet> inactive = missing(network);
-        const auto duplets = static_cast<std::int32_t>(network.interfaces().size()) * 4;
+        const auto duplets = static_cast<std::int32_t>(network.interior_faces().size()) * 4;
         for (int round = 0; round < 12; ++round) {
             std::set<LocalDuplet> triggered;
             for (std::int32_t d = 0; d < duplets; ++d) {
@@ -105,22 +105,22 @@ TEST(Split, LeavesEveryMassWhereAndAsFastAsItWas) {
     test::shake(state, 0.1, 3);
     std::vector<std::array<Vec3, 2>> before;
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
-        const Slot s = state.unions.slot(m);
+        const LocalUnion s = state.unions.union_of(m);
         before.push_back({state.displacement(s), state.increment(s)});
     }
     std::vector<LocalDuplet> every;
-    for (std::int32_t d = 0; d < static_cast<std::int32_t>(network.interfaces().size()) * 4; ++d) {
+    for (std::int32_t d = 0; d < static_cast<std::int32_t>(network.interior_faces().size()) * 4; ++d) {
         every.emplace_back(d);
     }
     SplitStream splits;
     split(network, every, state, splits);
     double inverse_mobility = 0;
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
-        const Slot s = state.unions.slot(m);
+        const LocalUnion s = state.unions.union_of(m);
         EXPECT_EQ(state.unions.mass_count(s), 1);
         EXPECT_EQ(state.displacement(s), before[m.index()][0]);
         EXPECT_EQ(state.increment(s), before[m.index()][1]);
-        inverse_mobility += 1 / state.mobility(s);
+        inverse_mobility += 1 / state.dt2_over_mass(s);
     }
     EXPECT_NEAR(inverse_mobility * 0.09, network.mass_count() * network.model().corner_mass, 1e-9);
 }
@@ -139,8 +139,8 @@ TEST(Split, OfAHeldUnionLeavesBothPartsHeld) {
     EXPECT_EQ(split(network, every, state, splits), 4U);
     EXPECT_EQ(state.held.size(), held + 4);
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
-        ASSERT_TRUE(state.held_of_slot.contains(state.unions.slot(m)));
-        EXPECT_EQ(state.held[state.held_of_slot.at(state.unions.slot(m))].slot, state.unions.slot(m));
+        ASSERT_TRUE(state.held_of_slot.contains(state.unions.union_of(m)));
+        EXPECT_EQ(state.held[state.held_of_slot.at(state.unions.union_of(m))].local_union, state.unions.union_of(m));
     }
 }
 

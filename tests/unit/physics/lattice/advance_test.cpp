@@ -27,7 +27,7 @@ TEST(Advance, IsTheSchemeForEveryUnion) {
             accumulate_forces(network, state, Measure::nothing);
             const State before = state;
             advance(network, state, {}, Measure::nothing);
-            for (const Slot s : state.unions.advanced()) {
+            for (const LocalUnion s : state.unions.advanced()) {
                 const Vec3 force = before.force(s);
                 const double mass = before.unions.mass_count(s) * network.model().corner_mass;
                 const Vec3 w = before.increment(s) + (0.09 / mass) * force;
@@ -60,7 +60,7 @@ TEST(NextIncrements, AreThoseOfTheAdvanceToTheLastBit) {
         advance(network, state, {}, Measure::nothing);
         for (std::size_t i = 0; i < all.entries().size(); ++i) {
             const Vec3 found{next[3 * i], next[3 * i + 1], next[3 * i + 2]};
-            EXPECT_EQ(found, state.increment(all.entries()[i].slot));
+            EXPECT_EQ(found, state.increment(all.entries()[i].local_union));
         }
     }
 }
@@ -78,7 +78,7 @@ TEST(Advance, MovesHeldComponentsAsPrescribedAndBooksTheWork) {
     for (int step = 0; step < 10; ++step) {
         advance(network, state, {}, Measure::elastic_energy);
     }
-    const Slot left = state.unions.slot(LocalMass{0});
+    const LocalUnion left = state.unions.union_of(LocalMass{0});
     EXPECT_NEAR(state.displacement(left).x, -0.05 * 1.0, 1e-12);
     EXPECT_GT(state.external, 0);
 }
@@ -90,17 +90,17 @@ TEST(Advance, NotesTheFirstUnionThatMakesNoSense) {
         block.cells = {3, 3, 1};
         const Network network = block.network();
         State state{network, Scheme::cordis, 0.3};
-        const Slot bad = state.unions.slot(LocalMass{17});
+        const LocalUnion bad = state.unions.union_of(LocalMass{17});
         state.set_increment(bad, {0, broken, 0});
         accumulate_forces(network, state, Measure::nothing);
-        for (const Slot s : state.unions.advanced()) {
+        for (const LocalUnion s : state.unions.advanced()) {
             state.set_force(s, {});
         }
         advance(network, state, {}, Measure::nothing);
-        ASSERT_TRUE(state.breakdown.has_value());
-        EXPECT_EQ(state.breakdown->step, 1);
-        EXPECT_EQ(state.breakdown->mass, network.mass(state.unions.smallest_mass(bad)));
-        EXPECT_EQ(state.breakdown->finite, std::isfinite(broken));
+        ASSERT_TRUE(state.failure.has_value());
+        EXPECT_EQ(state.failure->step, 1);
+        EXPECT_EQ(state.failure->mass, network.mass(state.unions.smallest_mass(bad)));
+        EXPECT_EQ(state.failure->finite, std::isfinite(broken));
     }
 }
 
@@ -127,17 +127,17 @@ TEST(Advance, MovesAllUnionsOfACrackedBlockWhereOneMakesNoSense) {
         test::shake(state, 0.1, 10);
         accumulate_forces(network, state, Measure::nothing);
         const State sound = state;
-        const Slot in_pool = sound.unions.slot(LocalMass{0});
-        const Slot in_base = slot_of(vertex_of(sound.unions.slot(LocalMass{1})), base_plane);
-        ASSERT_NE(plane_of(in_pool), base_plane);
-        for (const Slot bad : {in_pool, in_base}) {
+        const LocalUnion in_pool = sound.unions.union_of(LocalMass{0});
+        const LocalUnion in_base = local_union(vertex_of(sound.unions.union_of(LocalMass{1})), base_layer);
+        ASSERT_NE(layer_of(in_pool), base_layer);
+        for (const LocalUnion bad : {in_pool, in_base}) {
             State before = sound;
             before.set_increment(bad, {0, 1e5, 0});
             State after = before;
             advance(network, after, {}, Measure::nothing);
-            EXPECT_TRUE(after.breakdown.has_value());
-            for (const Slot s : after.unions.advanced()) {
-                const Vec3 w = before.increment(s) + before.mobility(s) * before.force(s);
+            EXPECT_TRUE(after.failure.has_value());
+            for (const LocalUnion s : after.unions.advanced()) {
+                const Vec3 w = before.increment(s) + before.dt2_over_mass(s) * before.force(s);
                 EXPECT_LT(norm(after.increment(s) - w), test::allowed(1e-15, precision) * (s == bad ? 1e5 : 1));
                 EXPECT_EQ(after.displacement(s), after.motion.rounded(before.displacement(s) + after.increment(s)));
             }
@@ -158,15 +158,15 @@ TEST(Start, PutsTheFirstIncrementsWhereTheParabolaWas) {
     State state{network, Scheme::ab2, 0.1};
     start(network, initial, state);
     const State started = state;
-    for (const Slot s : state.unions.advanced()) {
+    for (const LocalUnion s : state.unions.advanced()) {
         const Vec3 rest = network.rest_position(state.unions.smallest_mass(s));
         state.set_velocity_increment(s, 0.1 * initial.velocity(rest));
     }
     accumulate_forces(network, state, Measure::nothing);
-    for (const Slot s : state.unions.advanced()) {
+    for (const LocalUnion s : state.unions.advanced()) {
         const Vec3 rest = network.rest_position(state.unions.smallest_mass(s));
         const Vec3 v = 0.1 * initial.velocity(rest);
-        const Vec3 a = state.mobility(s) * state.force(s);
+        const Vec3 a = state.dt2_over_mass(s) * state.force(s);
         const Vec3 w0 = v - 0.5 * a;
         const Vec3 before = v - 1.5 * a;
         EXPECT_GT(norm(a), 0);

@@ -13,20 +13,20 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// The next greater one.
-UpperHalf above(UpperHalf half) {
+Bfloat16 above(Bfloat16 half) {
     if (half.value() == 0) {
-        return UpperHalf{1};
+        return Bfloat16{1};
     }
-    return UpperHalf{static_cast<std::uint16_t>(half.value() > 0 ? half.bits + 1 : half.bits - 1)};
+    return Bfloat16{static_cast<std::uint16_t>(half.value() > 0 ? half.bits + 1 : half.bits - 1)};
 }
 
 void expect_greatest_not_above(float value) {
-    const UpperHalf half = UpperHalf::not_above(value);
+    const Bfloat16 half = Bfloat16::not_above(value);
     EXPECT_LE(half.value(), value);
     EXPECT_GT(above(half).value(), value);
 }
 
-TEST(UpperHalf, IsTheGreatestThatIsNotAboveANumber) {
+TEST(Bfloat16, IsTheGreatestThatIsNotAboveANumber) {
     constexpr std::uint32_t seed = 7;
     std::mt19937 random{seed};
     std::uniform_real_distribution<float> mantissa{-1, 1};
@@ -41,10 +41,10 @@ TEST(UpperHalf, IsTheGreatestThatIsNotAboveANumber) {
     }
 }
 
-TEST(UpperHalf, KeepsZeroAndInfinity) {
-    EXPECT_EQ(UpperHalf::not_above(0).value(), 0);
-    EXPECT_EQ(UpperHalf::infinity().value(), infinity);
-    EXPECT_EQ(UpperHalf::not_above(std::numeric_limits<float>::lowest()).value(), -infinity);
+TEST(Bfloat16, KeepsZeroAndInfinity) {
+    EXPECT_EQ(Bfloat16::not_above(0).value(), 0);
+    EXPECT_EQ(Bfloat16::infinity().value(), infinity);
+    EXPECT_EQ(Bfloat16::not_above(std::numeric_limits<float>::lowest()).value(), -infinity);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST(EdgeLimits, KnowTheLowestOfEachHalfBatchWhileLimitsRiseAndFall) {
     for (int change = 0; change < 5000; ++change) {
         const Site site{static_cast<std::int32_t>(draw() % (halves * Lattice::half))};
         const auto edge = static_cast<int>(draw() % HexahedronPairs::edges);
-        const UpperHalf limit = UpperHalf::not_above(values[draw() % std::size(values)]);
+        const Bfloat16 limit = Bfloat16::not_above(values[draw() % std::size(values)]);
         limits.set(site, edge, limit);
         ASSERT_EQ(limits.of(site, edge), limit);
         const std::size_t half = site.index() / Lattice::half;

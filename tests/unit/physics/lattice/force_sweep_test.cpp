@@ -21,12 +21,12 @@ std::array<Vec3, Hexahedron::corners> plain_forces(const Network& network, const
     std::array<Vec3, Hexahedron::corners> force{};
     for (std::size_t i = 0; i < HexahedronPairs::count; ++i) {
         const auto [a, b] = HexahedronPairs::corners[i];
-        const Slot sa = state.unions.slot(local_mass(e, a));
-        const Slot sb = state.unions.slot(local_mass(e, b));
+        const LocalUnion sa = state.unions.union_of(local_mass(e, a));
+        const LocalUnion sb = state.unions.union_of(local_mass(e, b));
         const Vec3 d = network.model().rest[i] + state.displacement(sb) - state.displacement(sa);
         const Vec3 n = (1 / norm(d)) * d;
         const Vec3 v = (1 / state.step_size) * (state.velocity_increment(sb) - state.velocity_increment(sa));
-        const Elasticity& c = network.model().elasticity[i];
+        const KelvinVoigt& c = network.model().interaction[i];
         const Vec3 f = (c.stiffness * (norm(d) - network.model().rest_length[i]) + c.viscosity * dot(v, n)) * n;
         force[static_cast<std::size_t>(a)] += f;
         force[static_cast<std::size_t>(b)] += -f;
@@ -58,7 +58,7 @@ TEST(ForceSweep, IsTheModelsForceInEveryEntityOfAnyBlock) {
 /// The model's force on each union, mass by mass.
 void expect_forces_of_the_model(const Network& network, State& state) {
     accumulate_forces(network, state, Measure::nothing);
-    for (const Slot s : state.unions.advanced()) {
+    for (const LocalUnion s : state.unions.advanced()) {
         Vec3 sum;
         state.unions.for_each_mass(s, [&](LocalMass m) {
             sum += plain_forces(network, state, entity_of(m))[static_cast<std::size_t>(corner_of(m))];
@@ -82,7 +82,7 @@ TEST(ForceSweep, SumsTheModelsForcesOverUnionsInAnyStateOfSplits) {
                 split(network, test::drawn_duplets(network, state, one_in, 1), state, splits);
                 const State shared = state;
                 expect_forces_of_the_model(network, state);
-                for (const Slot s : state.unions.advanced()) {
+                for (const LocalUnion s : state.unions.advanced()) {
                     ASSERT_LT(norm(shared.force(s) - state.force(s)), test::allowed(1e-14, precision))
                         << "forces shared out by a split";
                 }
@@ -104,21 +104,21 @@ void expect_that_only_its_neighbours_notice(Precision precision, EntityId entity
     const auto vertex = [&](LocalMass m) { return network.block().vertex(network.entity(entity_of(m)), corner_of(m)); };
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
         if (vertex(m) == far) {
-            disturbed.set_displacement(state.unions.slot(m), displacement);
+            disturbed.set_displacement(state.unions.union_of(m), displacement);
         }
     }
     accumulate_forces(network, state, Measure::nothing);
     accumulate_forces(network, disturbed, Measure::nothing);
-    std::set<Slot> near;
+    std::set<LocalUnion> near;
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
         for (const auto& [a, b] : HexahedronPairs::corners) {
             if (vertex(local_mass(e, a)) == far || vertex(local_mass(e, b)) == far) {
-                near.insert({state.unions.slot(local_mass(e, a)), state.unions.slot(local_mass(e, b))});
+                near.insert({state.unions.union_of(local_mass(e, a)), state.unions.union_of(local_mass(e, b))});
             }
         }
     }
     EXPECT_GT(near.size(), 1U + 3U);
-    for (const Slot s : state.unions.advanced()) {
+    for (const LocalUnion s : state.unions.advanced()) {
         EXPECT_EQ(state.force(s) == disturbed.force(s), !near.contains(s));
     }
 }
@@ -134,8 +134,8 @@ TEST(ForceSweep, GivesTheSameBitsWhateverTheRangeOfTheOthers) {
     }
 }
 
-/// A single edge of stiffness 1 in one entity, stretched by about this extension x = |d|^2/L0^2 - 1: its force over the right one.
-double relative_pull_along_x(double extension, Precision precision) {
+/// A single edge of stiffness 1 in one entity, stretched by about this quadratic_strain x = |d|^2/L0^2 - 1: its force over the right one.
+double relative_pull_along_x(double quadratic_strain, Precision precision) {
     test::SerialBlock block;
     block.cells = {1, 1, 1};
     block.edges = {1, 0};
@@ -143,21 +143,21 @@ double relative_pull_along_x(double extension, Precision precision) {
     const Network network = block.network();
     State state{network, Scheme::cordis, 0.3, precision};
     // The length 1 + u from u = x/(1 + sqrt(1 + x)) has all its digits.
-    const double u = state.motion.rounded(extension / (1 + std::sqrt(1 + extension)));
+    const double u = state.motion.rounded(quadratic_strain / (1 + std::sqrt(1 + quadratic_strain)));
     for (LocalMass m{0}; m.value() < Hexahedron::corners; ++m) {
-        state.set_displacement(state.unions.slot(m), {u * network.rest_position(m).x, 0, 0});
+        state.set_displacement(state.unions.union_of(m), {u * network.rest_position(m).x, 0, 0});
     }
     accumulate_forces(network, state, Measure::nothing);
-    return state.force(state.unions.slot(LocalMass{0})).x / u;
+    return state.force(state.unions.union_of(LocalMass{0})).x / u;
 }
 
 TEST(ForceSweep, IsRightToTheLastDigitsAtAnyStretch) {
     for (double size = 1e-15; size < 1e6; size *= 1.07) {
-        for (const double extension : {size, -size}) {
+        for (const double quadratic_strain : {size, -size}) {
             for (const Precision precision : test::both_precisions) {
-                if (extension > -0.9) {
-                    EXPECT_NEAR(relative_pull_along_x(extension, precision), 1, test::allowed(5e-15, precision))
-                        << "extension " << extension;
+                if (quadratic_strain > -0.9) {
+                    EXPECT_NEAR(relative_pull_along_x(quadratic_strain, precision), 1, test::allowed(5e-15, precision))
+                        << "extension " << quadratic_strain;
                 }
             }
         }
@@ -177,12 +177,12 @@ void expect_no_force_under_translation(Precision precision, double far) {
             if (one_in > 0) {
                 split(network, test::drawn_duplets(network, state, one_in, 5), state, splits);
             }
-            for (const Slot s : state.unions.advanced()) {
+            for (const LocalUnion s : state.unions.advanced()) {
                 state.set_displacement(s, {0.1, 0.7, -far});
                 state.set_increment(s, {0.3, far, 0.2});
             }
             accumulate_forces(network, state, Measure::elastic_energy);
-            for (const Slot s : state.unions.advanced()) {
+            for (const LocalUnion s : state.unions.advanced()) {
                 ASSERT_EQ(state.force(s), (Vec3{0, 0, 0})) << far << " m";
             }
             EXPECT_EQ(state.elastic, 0);
@@ -210,11 +210,11 @@ TEST(ForceSweep, KeepsItsDigitsAtTinyStrain) {
     State state{network, Scheme::cordis, 0.3};
     const double tiny = 1e-14;
     for (LocalMass m{0}; m.value() < Hexahedron::corners; ++m) {
-        state.set_displacement(state.unions.slot(m), {tiny * network.rest_position(m).x, 0, 0});
+        state.set_displacement(state.unions.union_of(m), {tiny * network.rest_position(m).x, 0, 0});
     }
     accumulate_forces(network, state, Measure::nothing);
     // Stretched along x: each corner feels one edge, k1 tiny, and a diagonal, k3 (tiny/sqrt 3)/sqrt 3.
-    const Vec3 force = state.force(state.unions.slot(LocalMass{0}));
+    const Vec3 force = state.force(state.unions.union_of(LocalMass{0}));
     EXPECT_NEAR(force.x / tiny, 0.2 + 0.3 / 3, 1e-12);
 }
 
@@ -224,11 +224,11 @@ TEST(ForceSweep, IsZeroAlongAVanishedInteraction) {
     const Network network = block.network();
     State state{network, Scheme::cordis, 0.3};
     for (LocalMass m{0}; m.value() < Hexahedron::corners; ++m) {
-        state.set_displacement(state.unions.slot(m), -network.rest_position(m));
+        state.set_displacement(state.unions.union_of(m), -network.rest_position(m));
     }
     accumulate_forces(network, state, Measure::nothing);
     for (int c = 0; c < Hexahedron::corners; ++c) {
-        EXPECT_EQ(state.force(state.unions.slot(LocalMass{c})), (Vec3{0, 0, 0}));
+        EXPECT_EQ(state.force(state.unions.union_of(LocalMass{c})), (Vec3{0, 0, 0}));
     }
 }
 
@@ -241,7 +241,7 @@ TEST(ForceSweep, IsTheGradientOfTheElasticEnergy) {
     State state{network, Scheme::cordis, 0.3};
     test::shake(state, 0.1, 5);
     accumulate_forces(network, state, Measure::elastic_energy);
-    const Slot moved = state.unions.advanced()[4];
+    const LocalUnion moved = state.unions.advanced()[4];
     const Vec3 force = state.force(moved);
     const double h = 1e-6;
     const Vec3 at = state.displacement(moved);

@@ -17,7 +17,7 @@
 namespace cracksim::physics {
 namespace {
 
-/// Each corner is either in the base plane, or where its slot is in the pool.
+/// Each corner is either in the base layer, or where its union is in the pool.
 void expect_true_of_all_corners(const State& state) {
     const Lattice& lattice = state.lattice();
     for (std::size_t half = 0; half < lattice.halves(); ++half) {
@@ -37,7 +37,7 @@ void expect_true_of_all_corners(const State& state) {
                 const LocalEntity e = lattice.entity(site);
                 const PoolPlace expected = e == LocalEntity{}
                                                ? PoolPlace{}
-                                               : state.motion.pool_place(state.unions.slot(local_mass(e, corner)));
+                                               : state.motion.pool_place(state.unions.union_of(local_mass(e, corner)));
                 EXPECT_EQ(found[c][lane], expected);
                 EXPECT_EQ((unsigned{pooled.in_base[c]} >> lane & 1U) != 0, expected == PoolPlace{});
             }

@@ -14,7 +14,7 @@ namespace cracksim::physics {
 namespace {
 
 /// For each edge of the block and each pair of unions at its ends: the entities that have it, found by a look at all of them.
-using Groups = std::map<std::tuple<VertexId, VertexId, Slot, Slot>, std::vector<std::pair<LocalEntity, int>>>;
+using Groups = std::map<std::tuple<VertexId, VertexId, LocalUnion, LocalUnion>, std::vector<std::pair<LocalEntity, int>>>;
 
 Groups groups_of(const Network& network, const State& state) {
     Groups groups;
@@ -22,8 +22,8 @@ Groups groups_of(const Network& network, const State& state) {
         for (int i = 0; i < HexahedronPairs::edges; ++i) {
             const auto [a, b] = HexahedronPairs::corners[static_cast<std::size_t>(i)];
             const auto vertex = [&](int c) { return network.block().vertex(network.entity(e), c); };
-            const auto slot = [&](int c) { return state.unions.slot(local_mass(e, c)); };
-            groups[{vertex(a), vertex(b), slot(a), slot(b)}].emplace_back(e, i);
+            const auto id = [&](int c) { return state.unions.union_of(local_mass(e, c)); };
+            groups[{vertex(a), vertex(b), id(a), id(b)}].emplace_back(e, i);
         }
     }
     return groups;
@@ -33,17 +33,17 @@ void expect_smallest_carries_all(const Network& network, const State& state) {
     for (const auto& [key, copies] : groups_of(network, state)) {
         for (std::size_t i = 0; i < copies.size(); ++i) {
             const auto [e, edge] = copies[i];
-            EXPECT_EQ(state.merging.weight(state.unions, e, edge), i == 0 ? static_cast<int>(copies.size()) : 0);
+            EXPECT_EQ(state.shared_edges.multiplicity(state.unions, e, edge), i == 0 ? static_cast<int>(copies.size()) : 0);
         }
     }
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
         for (int i = HexahedronPairs::edges; i < HexahedronPairs::count; ++i) {
-            EXPECT_EQ(state.merging.weight(state.unions, e, i), 1);
+            EXPECT_EQ(state.shared_edges.multiplicity(state.unions, e, i), 1);
         }
     }
 }
 
-/// In how many half batches all carry just what entities inside an intact block do; nowhere else is this said.
+/// In how many half batches all represent just what entities inside an intact block do; nowhere else is this said.
 std::size_t halves_inside(const Network& network, const State& state) {
     const Lattice& lattice = state.lattice();
     std::size_t count = 0;
@@ -55,17 +55,17 @@ std::size_t halves_inside(const Network& network, const State& state) {
             for (int i = 0; expected && i < HexahedronPairs::count; ++i) {
                 const bool is_edge = i < HexahedronPairs::edges;
                 const bool at_corner_6 = i == HexahedronPairs::edge_at(6, i / HexahedronPairs::edges_per_axis % 3);
-                expected = state.merging.weight(state.unions, e, i) == (!is_edge ? 1 : at_corner_6 ? 4 : 0);
+                expected = state.shared_edges.multiplicity(state.unions, e, i) == (!is_edge ? 1 : at_corner_6 ? 4 : 0);
             }
         }
-        const bool said = (state.merging.carried()[half] >> Merging::inside & 1U) != 0;
+        const bool said = (state.shared_edges.represented()[half] >> SharedEdges::interior & 1U) != 0;
         EXPECT_EQ(said, expected) << "half " << half;
         count += said ? 1U : 0U;
     }
     return count;
 }
 
-TEST(Merging, KnowsWhereAllCarryWhatEntitiesInsideAnIntactBlockDo) {
+TEST(SharedEdges, KnowsWhereAllCarryWhatEntitiesInsideAnIntactBlockDo) {
     test::SerialBlock block;
     block.cells = {24, 5, 4};
     const Network network = block.network();
@@ -83,7 +83,7 @@ TEST(Merging, KnowsWhereAllCarryWhatEntitiesInsideAnIntactBlockDo) {
     }
 }
 
-TEST(Merging, SaysOfNoHaloThatItIsInside) {
+TEST(SharedEdges, SaysOfNoHaloThatItIsInside) {
     test::SerialBlock block;
     block.cells = {24, 5, 4};
     const Network network = block.network_with_halo(6, 19);
@@ -92,7 +92,7 @@ TEST(Merging, SaysOfNoHaloThatItIsInside) {
     EXPECT_EQ(halves_inside(network, state), 2U * 3 * 2);
 }
 
-TEST(Merging, LetsTheSmallestEntityCarryWhatSharesBothUnions) {
+TEST(SharedEdges, LetsTheSmallestEntityCarryWhatSharesBothUnions) {
     for (const std::array<std::int64_t, 3> cells : {std::array<std::int64_t, 3>{1, 1, 1}, {10, 3, 4}}) {
         test::SerialBlock block;
         block.cells = cells;
@@ -107,33 +107,33 @@ TEST(Merging, LetsTheSmallestEntityCarryWhatSharesBothUnions) {
     }
 }
 
-TEST(Merging, IsWhatTheRuleForIntactBlocksSays) {
+TEST(SharedEdges, IsWhatTheRuleForIntactBlocksSays) {
     test::SerialBlock block;
     block.cells = {10, 3, 4};
     const Network network = block.network();
     const State state{network, Scheme::cordis, 0.3};
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
         const std::int64_t id = network.entity(e).value();
-        const unsigned said = carried_if_intact(id % 10 == 0, id / 10 % 3 == 0, id / 30 == 0);
+        const unsigned said = represented_if_intact(id % 10 == 0, id / 10 % 3 == 0, id / 30 == 0);
         for (int i = 0; i < HexahedronPairs::count; ++i) {
-            EXPECT_EQ(state.merging.weight(state.unions, e, i) > 0, (said >> static_cast<unsigned>(i) & 1U) != 0) << i;
+            EXPECT_EQ(state.shared_edges.multiplicity(state.unions, e, i) > 0, (said >> static_cast<unsigned>(i) & 1U) != 0) << i;
         }
     }
 }
 
-TEST(Merging, LeavesSevenInteractionsAnEntityInsideAnIntactBlock) {
+TEST(SharedEdges, LeavesSevenInteractionsAnEntityInsideAnIntactBlock) {
     test::SerialBlock block;
     block.cells = {16, 8, 8};
     const Network network = block.network();
     const State state{network, Scheme::cordis, 0.3};
-    std::int64_t carried = 0;
+    std::int64_t represented = 0;
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
         for (int i = 0; i < HexahedronPairs::count; ++i) {
-            carried += state.merging.weight(state.unions, e, i) > 0 ? 1 : 0;
+            represented += state.shared_edges.multiplicity(state.unions, e, i) > 0 ? 1 : 0;
         }
     }
     const auto [x, y, z] = block.cells;
-    EXPECT_EQ(carried, x * (y + 1) * (z + 1) + (x + 1) * y * (z + 1) + (x + 1) * (y + 1) * z + 4 * x * y * z);
+    EXPECT_EQ(represented, x * (y + 1) * (z + 1) + (x + 1) * y * (z + 1) + (x + 1) * (y + 1) * z + 4 * x * y * z);
 }
 
 }  // namespace

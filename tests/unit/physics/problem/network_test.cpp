@@ -25,10 +25,10 @@ Network network_of(std::array<std::int64_t, 3> cells, Duplets duplets) {
 /// Local masses are global ones on one rank.
 std::set<Pair> duplets_of(const Network& network) {
     std::set<Pair> found;
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interfaces().size()); ++i) {
-        for (int k = 0; k < Network::duplets_per_interface; ++k) {
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interior_faces().size()); ++i) {
+        for (int k = 0; k < Network::duplets_per_face; ++k) {
             if (network.has_touched_duplet(i, k)) {
-                const auto [a, b] = masses_of(network, LocalDuplet{i * Network::duplets_per_interface + k});
+                const auto [a, b] = masses_of(network, LocalDuplet{i * Network::duplets_per_face + k});
                 found.emplace(std::min(a, b).value(), std::max(a, b).value());
             }
         }
@@ -60,7 +60,7 @@ std::size_t reached_from_first(const std::set<Pair>& duplets, std::span<const Lo
 
 TEST(Network, HasADupletAtEachCornerOfEachSharedFace) {
     const Network network = network_of({4, 3, 2}, Duplets::corners);
-    EXPECT_EQ(duplets_of(network).size(), 4 * network.interfaces().size());
+    EXPECT_EQ(duplets_of(network).size(), 4 * network.interior_faces().size());
 }
 
 TEST(Network, TreeHoldsEachUnionTogetherWithTheFewestOfTheDuplets) {
@@ -95,9 +95,9 @@ TEST(Network, ThresholdsAreThoseOfTheirPlacesWhereverTheFirstDifferentOneIs) {
         block.cells = {4, 3, 2};
         block.thresholds.field = [from](Vec3 at) { return at.x > from && at.y > 0.5 ? 0.3 : 0.2; };
         const Network network = block.network();
-        for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interfaces().size()); ++i) {
-            for (int k = 0; k < Network::duplets_per_interface; ++k) {
-                const LocalDuplet d{i * Network::duplets_per_interface + k};
+        for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interior_faces().size()); ++i) {
+            for (int k = 0; k < Network::duplets_per_face; ++k) {
+                const LocalDuplet d{i * Network::duplets_per_face + k};
                 const Vec3 at = network.rest_position(masses_of(network, d)[0]);
                 EXPECT_EQ(network.threshold(d), block.thresholds.field(at));
             }
@@ -111,7 +111,7 @@ TEST(Network, OneThresholdTakesNoMemory) {
     block.thresholds.weibull = Weibull{4, 1};
     const Network varied = block.network();
     EXPECT_EQ(varied.memory_bytes(),
-              uniform + varied.interfaces().size() * Network::duplets_per_interface * sizeof(double));
+              uniform + varied.interior_faces().size() * Network::duplets_per_face * sizeof(double));
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(SinglePrecision, FollowsDoubleToFourDigitsThroughAThousandSteps) {
     const State in_single = swinging(network, Precision::binary32, 1000);
     double farthest = 0;
     double difference = 0;
-    for (const Slot s : in_double.unions.advanced()) {
+    for (const LocalUnion s : in_double.unions.advanced()) {
         farthest = std::max(farthest, norm(in_double.displacement(s)));
         difference = std::max(difference, norm(in_double.displacement(s) - in_single.displacement(s)));
     }

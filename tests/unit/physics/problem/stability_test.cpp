@@ -15,8 +15,8 @@ TEST(StepBound, OfTheSpectrumIsTheClosedFormOfTheHexahedron) {
     std::mt19937_64 random{1};
     std::uniform_real_distribution<double> value{0.0, 2.0};
     for (int i = 0; i < 200; ++i) {
-        const Elasticity edges{value(random) + 0.01, i % 3 == 0 ? 0.0 : value(random)};
-        const Elasticity diagonals{value(random), i % 4 == 0 ? 0.0 : value(random)};
+        const KelvinVoigt edges{value(random) + 0.01, i % 3 == 0 ? 0.0 : value(random)};
+        const KelvinVoigt diagonals{value(random), i % 4 == 0 ? 0.0 : value(random)};
         const double mass = value(random) + 0.1;
         for (const Scheme scheme : {Scheme::cordis, Scheme::ab2}) {
             const double closed = hexahedron_step_bound(mass, edges, diagonals, scheme);
@@ -50,16 +50,16 @@ double growth_of_folded_entity(double share_of_bound) {
         const bool odd = (o[0] + o[1] + o[2]) % 2 != 0;
         const Vec3 rest = network.rest_position(m);
         const Vec3 target{odd ? 1.0 : 0.0, 0, 0};
-        state.set_displacement(state.unions.slot(m), target - rest);
-        state.set_increment(state.unions.slot(m), {odd ? 1e-9 : -1e-9, 0, 0});
+        state.set_displacement(state.unions.union_of(m), target - rest);
+        state.set_increment(state.unions.union_of(m), {odd ? 1e-9 : -1e-9, 0, 0});
     }
-    const Slot slot = state.unions.slot(LocalMass{0});
-    const double before = std::abs(state.increment(slot).x);
+    const LocalUnion id = state.unions.union_of(LocalMass{0});
+    const double before = std::abs(state.increment(id).x);
     double largest = before;
     accumulate_forces(network, state, Measure::nothing);
     for (int step = 0; step < 60; ++step) {
         advance(network, state, {}, Measure::nothing);
-        largest = std::max(largest, std::abs(state.increment(slot).x));
+        largest = std::max(largest, std::abs(state.increment(id).x));
     }
     return largest / before;
 }

@@ -21,7 +21,7 @@ TEST(Supports, HoldTheMassesThatRestInsideTheirBox) {
     const Network network = block.network();
     const State state{network, Scheme::cordis, 0.3};
     EXPECT_EQ(state.held.size(), 16U);
-    for (const Held& held : state.held) {
+    for (const HeldUnion& held : state.held) {
         EXPECT_EQ(held.rest.x, 0);
         EXPECT_EQ(held.support, (std::array<std::int16_t, 3>{0, -1, -1}));
     }
@@ -44,7 +44,7 @@ TEST(Supports, AskNoVelocityFromBeforeTheStart) {
     block.supports = {pull};
     const Network network = block.network();
     const State state{network, Scheme::ab2, 0.1};
-    const Slot held = state.held.front().slot;
+    const LocalUnion held = state.held.front().local_union;
     EXPECT_NEAR(prescribed(network, state, held, {}, -0.5).x, 0.1 * (3 - 0.1), 1e-15);
     EXPECT_NEAR(prescribed(network, state, held, {}, -1.5).x, 0.1 * (3 - 0.3), 1e-15);
 }

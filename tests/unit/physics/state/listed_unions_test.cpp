@@ -24,19 +24,19 @@ std::vector<LocalMass> drawn_masses(const Network& network, std::mt19937& draw) 
     return masses;
 }
 
-void expect_each_once_in_order(const ListedUnions& listed, const UnionTable& unions) {
-    std::map<Slot, std::uint32_t> first;
-    std::vector<Slot> slots;
+void expect_each_once_in_order(const ListedUnions& listed, const Unions& unions) {
+    std::map<LocalUnion, std::uint32_t> first;
+    std::vector<LocalUnion> expected;
     for (std::uint32_t place = 0; place < listed.masses().size(); ++place) {
-        const Slot s = unions.slot(listed.masses()[place]);
+        const LocalUnion s = unions.union_of(listed.masses()[place]);
         if (first.try_emplace(s, place).second) {
-            slots.push_back(s);
+            expected.push_back(s);
         }
     }
-    ASSERT_EQ(listed.entries().size(), slots.size());
-    for (std::size_t i = 0; i < slots.size(); ++i) {
-        EXPECT_EQ(listed.entries()[i].slot, slots[i]);
-        EXPECT_EQ(listed.entries()[i].first, first.at(slots[i]));
+    ASSERT_EQ(listed.entries().size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        EXPECT_EQ(listed.entries()[i].local_union, expected[i]);
+        EXPECT_EQ(listed.entries()[i].first, first.at(expected[i]));
     }
 }
 
@@ -57,18 +57,18 @@ TEST(ListedUnions, AreThoseOfTheMassesEachOnceAsTheyFallApart) {
     for (std::size_t begin = 0; begin < duplets.size(); begin += 40) {
         std::vector<int> before;
         for (const LocalMass m : listed.masses()) {
-            before.push_back(state.unions.label(m));
+            before.push_back(state.unions.part(m));
         }
         split(network, std::span{duplets}.subspan(begin, std::min<std::size_t>(40, duplets.size() - begin)), state,
               splits);
         std::vector<std::uint32_t> places;
         for (const auto& [place, label] : listed.update(state.unions)) {
             places.push_back(place);
-            EXPECT_EQ(label, state.unions.label(listed.masses()[place]));
+            EXPECT_EQ(label, state.unions.part(listed.masses()[place]));
         }
         std::vector<std::uint32_t> expected;
         for (std::uint32_t place = 0; place < before.size(); ++place) {
-            if (state.unions.label(listed.masses()[place]) != before[place]) {
+            if (state.unions.part(listed.masses()[place]) != before[place]) {
                 expected.push_back(place);
             }
         }

@@ -11,7 +11,7 @@
 namespace cracksim::topology {
 namespace {
 
-using Labels = IdArray<LocalEntity, EntityId>;
+using GlobalComponents = IdArray<LocalEntity, EntityId>;
 
 /// Sewn faces, and how many entities were walked through.
 struct Links {
@@ -35,22 +35,22 @@ struct Links {
     mutable std::int64_t walked{0};
 };
 
-/// A map whose pieces are kept up to date.
+/// A map whose trees are kept up to date.
 struct Falling {
     explicit Falling(const Block& of)
-        : block{of}, map{sample::whole(of)}, links{map}, pieces{owned, links}, search{owned.size()} {
+        : block{of}, map{sample::whole(of)}, links{map}, trees{owned, links}, search{owned.size()} {
         links.walked = 0;
     }
 
     bool cut(LocalEntity entity, int face) {
         const LocalEntity other = map.link(entity, face).entity();
         unsew(map, entity, face);
-        return pieces.part(std::array{entity, other}, search, links);
+        return trees.part(std::array{entity, other}, search, links);
     }
-    [[nodiscard]] Labels labels() const {
-        Labels found(owned.size());
+    [[nodiscard]] GlobalComponents labels() const {
+        GlobalComponents found(owned.size());
         for (LocalEntity e{0}; e.index() < owned.size(); ++e) {
-            found[e] = EntityId{pieces.smallest_owned(pieces.piece(e)).value()};
+            found[e] = EntityId{trees.smallest_owned(trees.tree(e)).value()};
         }
         return found;
     }
@@ -59,17 +59,17 @@ struct Falling {
     GMap map;
     Links links;
     std::vector<std::uint8_t> owned = std::vector<std::uint8_t>(static_cast<std::size_t>(map.entity_count()), 1);
-    Pieces pieces;
-    PartingSearch search;
+    SpanningForest trees;
+    ReplacementEdgeSearch search;
 };
 
-Labels components(const Falling& f) {
-    Labels labels{sample::all_entities(f.block)};
+GlobalComponents components(const Falling& f) {
+    GlobalComponents labels{sample::all_entities(f.block)};
     lower_to_component(f.map, f.owned, labels);
     return labels;
 }
 
-TEST(Pieces, AreTheComponentsAfterEachOfManyFacesUnsewnAtRandom) {
+TEST(SpanningForest, AreTheComponentsAfterEachOfManyFacesUnsewnAtRandom) {
     for (const std::uint64_t seed : {81U, 82U, 83U}) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         sample::Random random{seed};
@@ -80,16 +80,16 @@ TEST(Pieces, AreTheComponentsAfterEachOfManyFacesUnsewnAtRandom) {
             if (!f.map.leads_on(e, face)) {
                 continue;
             }
-            const std::int64_t before = f.pieces.owned_count();
+            const std::int64_t before = f.trees.owned_count();
             const bool fell_apart = f.cut(e, face);
-            EXPECT_EQ(f.pieces.owned_count(), before + (fell_apart ? 1 : 0));
+            EXPECT_EQ(f.trees.owned_count(), before + (fell_apart ? 1 : 0));
             ASSERT_TRUE(std::ranges::equal(f.labels(), components(f)));
         }
-        EXPECT_EQ(f.pieces.owned_count(), f.block.entity_count());
+        EXPECT_EQ(f.trees.owned_count(), f.block.entity_count());
     }
 }
 
-TEST(Pieces, ALinkCutInsideCostsTheSameInABlockOfAnySize) {
+TEST(SpanningForest, ALinkCutInsideCostsTheSameInABlockOfAnySize) {
     std::int64_t walked = 0;
     for (const std::int64_t side : {8, 32}) {
         Falling f{sample::block(side, side, side)};
@@ -101,7 +101,7 @@ TEST(Pieces, ALinkCutInsideCostsTheSameInABlockOfAnySize) {
     }
 }
 
-TEST(Pieces, WhatComesOffIsWalkedThroughAndAsMuchOfTheRest) {
+TEST(SpanningForest, WhatComesOffIsWalkedThroughAndAsMuchOfTheRest) {
     Falling f{sample::block(1000, 1, 1)};
     EXPECT_TRUE(f.cut(LocalEntity{989}, 1));
     EXPECT_LE(f.links.walked, 22);
@@ -109,33 +109,33 @@ TEST(Pieces, WhatComesOffIsWalkedThroughAndAsMuchOfTheRest) {
     EXPECT_EQ(f.labels()[LocalEntity{999}], EntityId{990});
 }
 
-TEST(Pieces, ManyCutsAtOnceMayLeaveManyPieces) {
+TEST(SpanningForest, ManyCutsAtOnceMayLeaveManyPieces) {
     Falling f{sample::block(9, 1, 1)};
     std::vector<LocalEntity> at;
     for (const std::int32_t e : {1, 2, 6}) {
         unsew(f.map, LocalEntity{e}, 1);
         at.insert(at.end(), {LocalEntity{e}, LocalEntity{e + 1}});
     }
-    EXPECT_TRUE(f.pieces.part(at, f.search, f.links));
-    EXPECT_EQ(f.pieces.owned_count(), 4);
+    EXPECT_TRUE(f.trees.part(at, f.search, f.links));
+    EXPECT_EQ(f.trees.owned_count(), 4);
     EXPECT_TRUE(std::ranges::equal(f.labels(), components(f)));
 }
 
-TEST(Pieces, OneWithoutAnOwnedEntityHasNoSmallest) {
+TEST(SpanningForest, OneWithoutAnOwnedEntityHasNoSmallest) {
     GMap map = sample::whole(sample::block(3, 1, 1));
     const Links links{map};
     const std::vector<std::uint8_t> owned{0, 1, 0};
-    Pieces pieces{owned, links};
-    PartingSearch search{3};
-    EXPECT_EQ(pieces.smallest_owned(pieces.piece(LocalEntity{0})), LocalEntity{1});
+    SpanningForest trees{owned, links};
+    ReplacementEdgeSearch search{3};
+    EXPECT_EQ(trees.smallest_owned(trees.tree(LocalEntity{0})), LocalEntity{1});
     unsew(map, LocalEntity{0}, 1);
-    EXPECT_TRUE(pieces.part(std::array{LocalEntity{0}, LocalEntity{1}}, search, links));
-    EXPECT_EQ(pieces.smallest_owned(pieces.piece(LocalEntity{0})), LocalEntity{});
-    EXPECT_EQ(pieces.smallest_owned(pieces.piece(LocalEntity{2})), LocalEntity{1});
-    EXPECT_EQ(pieces.owned_count(), 1);
+    EXPECT_TRUE(trees.part(std::array{LocalEntity{0}, LocalEntity{1}}, search, links));
+    EXPECT_EQ(trees.smallest_owned(trees.tree(LocalEntity{0})), LocalEntity{});
+    EXPECT_EQ(trees.smallest_owned(trees.tree(LocalEntity{2})), LocalEntity{1});
+    EXPECT_EQ(trees.owned_count(), 1);
 }
 
-TEST(Pieces, AWayAroundIsWalkedOnceAndNotAgain) {
+TEST(SpanningForest, AWayAroundIsWalkedOnceAndNotAgain) {
     Falling ring{sample::block(40, 40, 1)};
     for (std::int32_t x = 1; x < 39; ++x) {
         for (const std::int32_t y : {0, 38}) {
