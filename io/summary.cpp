@@ -42,9 +42,15 @@ Json json(const Provenance& p) {
 
 Json json(const Summary::Invalid& i) { return {{"step", i.step}, {"mass", i.mass.value()}, {"cause", i.cause}}; }
 
-Json json(const Summary::Counts& c) {
-    return {{"entities", c.entities}, {"masses", c.masses}, {"interactions", c.interactions},    {"duplets", c.duplets},
-            {"unions", c.unions},     {"darts", c.darts},   {"interior_faces", c.interior_faces}};
+Json json(const ProblemCounts& c) {
+    return {{"entities", c.entities},
+            {"masses", c.masses},
+            {"interactions", c.interactions},
+            {"duplets", c.duplets},
+            {"unions", c.unions},
+            {"darts", c.darts},
+            {"interior_faces", c.interior_faces},
+            {"notched_faces", c.notched_faces}};
 }
 
 Json json(const Summary::Time& t) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/ids.hpp"
+#include "core/problem_counts.hpp"
 #include "io/frame_record.hpp"
 #include "io/provenance.hpp"
 
@@ -21,9 +22,6 @@ struct Summary {
         std::int64_t step;
         MassId mass;
         std::string cause;
-    };
-    struct Counts {
-        std::int64_t entities{0}, masses{0}, interactions{0}, duplets{0}, unions{0}, darts{0}, interior_faces{0};
     };
     struct Time {
         std::string scheme;
@@ -70,7 +68,7 @@ struct Summary {
     std::optional<std::string> error;  ///< why the run stopped; given if, and only if, status is stopped
     bool bitwise{true};
     Provenance provenance;
-    Counts counts;
+    ProblemCounts counts;
     Time time;
     Events events;
     std::uint64_t event_hash{0}, state_hash{0};

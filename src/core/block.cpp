@@ -79,4 +79,11 @@ Vec3 Block::position(EntityId entity, int corner) const {
             origin_.z + static_cast<double>(at[2] + o[2]) * edge_.z};
 }
 
+Vec3 Block::centre(EntityId entity) const {
+    const auto at = cell(entity);
+    return {origin_.x + (static_cast<double>(at[0]) + 0.5) * edge_.x,
+            origin_.y + (static_cast<double>(at[1]) + 0.5) * edge_.y,
+            origin_.z + (static_cast<double>(at[2]) + 0.5) * edge_.z};
+}
+
 }  // namespace cracksim

@@ -11,7 +11,7 @@
 
 namespace cracksim {
 
-/// Where a face of an entity leads: face corner k (place in the cycle) meets corner (rotation - k) mod 4 of the neighbour's face.
+/// Where a face of an entity leads: face corner k (place in the cycle) meets place_met(rotation, k) of the neighbour's face.
 struct FaceNeighbour {
     EntityId entity;
     int face;
@@ -50,6 +50,8 @@ public:
     [[nodiscard]] bool is_corner(EntityId entity, int corner) const;
     /// Rest position, m: the same bits from every entity that meets at the corner.
     [[nodiscard]] Vec3 position(EntityId entity, int corner) const;
+    /// Rest position of an entity's centre, m.
+    [[nodiscard]] Vec3 centre(EntityId entity) const;
 
 private:
     std::array<std::int64_t, 3> cells_;

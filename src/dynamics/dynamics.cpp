@@ -1,47 +1,91 @@
 #include "dynamics/dynamics.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/errors.hpp"
 #include "partition/halo.hpp"
-#include "physics/lattice/advance.hpp"
-#include "physics/state/hashes.hpp"
 #include "physics/fracture/split.hpp"
+#include "physics/lattice/lattice_engine.hpp"
+#include "physics/start.hpp"
+#include "physics/state/hashes.hpp"
+#include "scene/counts.hpp"
 #include "scene/problem.hpp"
+#include "scene/size_limits.hpp"
 
 namespace cracksim::dynamics {
 
-Dynamics::Dynamics(const partition::Communicator& comm, const scene::Scene& scene, double step_size, Stopwatch& stopwatch)
+namespace {
+
+std::int64_t count_owned_duplets(const physics::Network& network) {
+    std::int64_t count = 0;
+    network.duplets().for_each(
+        [&](physics::LocalDuplet d) { count += network.owned(entity_of(network.masses_of(d)[0])) ? 1 : 0; });
+    return count;
+}
+
+std::int64_t count_owned_unions(const physics::Network& network, const physics::Unions& unions) {
+    std::int64_t count = 0;
+    unions.for_each_advanced(
+        [&](physics::LocalUnion, LocalMass smallest) { count += network.owned(entity_of(smallest)) ? 1 : 0; });
+    return count;
+}
+
+std::int64_t count_owned_notched_faces(const physics::Network& network) {
+    return std::ranges::count_if(network.notched_faces(),
+                                 [&](std::int32_t f) { return network.owned(network.interior_faces()[f].a); });
+}
+
+/// Closed forms where there is no notch. Collective.
+ProblemCounts count(const partition::Communicator& comm, const scene::Scene& scene, const physics::Network& network,
+                    const physics::State& state) {
+    ProblemCounts counts = scene::count_without_notches(scene);
+    if (!scene.notches.empty()) {
+        counts.duplets = comm.sum(count_owned_duplets(network));
+        counts.unions = comm.sum(count_owned_unions(network, state.unions));
+        counts.notched_faces = comm.sum(count_owned_notched_faces(network));
+    }
+    return counts;
+}
+
+}  // namespace
+
+Dynamics::Dynamics(const partition::Communicator& comm, const scene::Scene& scene, double step_size,
+                   Stopwatch& stopwatch)
     : comm_{&comm},
       stopwatch_{&stopwatch},
       decomposition_{partition::decompose(comm, scene.block, scene::partitioner(scene))},
       network_{(scene::check_size(comm, decomposition_), scene::build_network(comm, scene, decomposition_))},
       state_{network_, scene.time.scheme, step_size, scene.time.precision},
+      engine_{std::make_unique<physics::LatticeEngine>(network_, state_)},
       exchange_{comm, network_, decomposition_, state_},
-      sensors_{scene.sensors.prefilter ? physics::Prefilter::on : physics::Prefilter::off} {
-    physics::start(network_, scene::initial_fields(scene), state_);
-    exchange_.start(network_, decomposition_, state_);
+      prefilter_{scene.sensors.prefilter ? physics::Prefilter::on : physics::Prefilter::off},
+      counts_{count(comm, scene, network_, state_)} {
+    exchange_.share_parts(network_, decomposition_, state_, *engine_);
+    physics::start(network_, scene::initial_fields(scene), state_, *engine_);
+    exchange_.share_increments(network_, decomposition_, state_);
 }
 
-void Dynamics::begin() {
-    stopwatch_->time(Phase::force,
-                     [&] { physics::accumulate_forces(network_, state_, physics::Measure::elastic_energy); });
+void Dynamics::compute_forces() {
+    const auto measure = physics::Measure::elastic_energy;
+    energies_.begin(stopwatch_->time(Phase::force, [&] { return engine_->forces(state_, measure); }), measure);
 }
 
-void Dynamics::act() {
-    const auto triggered = stopwatch_->time(Phase::sense, [&] { return sensors_.sense(network_, state_); });
+void Dynamics::break_duplets() {
+    const auto triggered =
+        stopwatch_->time(Phase::sense, [&] { return physics::sense(network_, state_, *engine_, prefilter_); });
     if (triggered.empty()) {
         return;
     }
     stopwatch_->time(Phase::update, [&] {
         for (const physics::LocalDuplet d : triggered) {
-            if (network_.owned(entity_of(physics::masses_of(network_, d)[0]))) {
+            if (network_.owned(entity_of(network_.masses_of(d)[0]))) {
                 new_events_.push_back(physics::event_of(network_, state_, d));
                 event_hash_ += physics::hash(new_events_.back());
                 ++inactive_duplets_;
             }
         }
-        physics::split(network_, triggered, state_, new_splits_);
+        physics::split(network_, triggered, state_, *engine_, new_splits_);
         for (; counted_splits_ < new_splits_.size(); ++counted_splits_) {
             if (network_.owned(entity_of(new_splits_.part(counted_splits_, 0).front()))) {
                 ++splits_;
@@ -53,14 +97,18 @@ void Dynamics::act() {
 
 void Dynamics::advance(physics::Measure measure) {
     const std::span<const Vec3> received = received_increments();
-    stopwatch_->time(Phase::force, [&] { physics::advance(network_, state_, received, measure); });
+    const physics::Swept swept =
+        stopwatch_->time(Phase::force, [&] { return engine_->advance(state_, received, measure); });
+    energies_.advance(swept, measure);
+    failure_ = failure_ ? failure_ : swept.failure;
 }
 
 std::span<const Vec3> Dynamics::received_increments() {
     if (comm_->size() == 1) {
         return {};
     }
-    return stopwatch_->time(Phase::exchange, [&] { return exchange_.next_increments(network_, state_, *stopwatch_); });
+    return stopwatch_->time(Phase::exchange,
+                            [&] { return exchange_.next_increments(network_, state_, *engine_, *stopwatch_); });
 }
 
 physics::SplitStream Dynamics::take_splits() {

@@ -1,22 +1,26 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "core/problem_counts.hpp"
+#include "dynamics/energy_book.hpp"
+#include "dynamics/motion_exchange.hpp"
+#include "dynamics/stopwatch.hpp"
 #include "partition/audit.hpp"
 #include "partition/communicator.hpp"
 #include "partition/decomposition.hpp"
 #include "partition/exchange_plan.hpp"
+#include "physics/engine.hpp"
 #include "physics/events.hpp"
 #include "physics/evolution.hpp"
-#include "physics/lattice/force_sweep.hpp"
-#include "physics/problem/network.hpp"
 #include "physics/fracture/sensors.hpp"
+#include "physics/problem/network.hpp"
 #include "physics/state/state.hpp"
-#include "dynamics/motion_exchange.hpp"
 #include "scene/scene.hpp"
-#include "dynamics/stopwatch.hpp"
 
 namespace cracksim::dynamics {
 
@@ -27,7 +31,9 @@ public:
     MassEvolution(const physics::Network& network, const physics::State& state) : network_{network}, state_{state} {}
 
     [[nodiscard]] Vec3 rest(LocalMass m) const override { return network_.rest_position(m); }
-    [[nodiscard]] Vec3 displacement(LocalMass m) const override { return state_.displacement(state_.unions.union_of(m)); }
+    [[nodiscard]] Vec3 displacement(LocalMass m) const override {
+        return state_.displacement(state_.unions.union_of(m));
+    }
 
 private:
     const physics::Network& network_;
@@ -35,16 +41,19 @@ private:
 };
 
 /// Where physics and partition meet: the network's motion on all ranks, step by step.
-/// A step is  act(); ... ; advance();  between act and advance, all is at state n.
+/// A step is  break_duplets(); ... ; advance();  between the two, everything is at state n.
 class Dynamics {
 public:
     /// Collective. Throws InputError on all ranks alike. comm and stopwatch must outlive this.
     Dynamics(const partition::Communicator& comm, const scene::Scene& scene, double step_size, Stopwatch& stopwatch);
 
+    Dynamics(const Dynamics&) = delete;
+    Dynamics& operator=(const Dynamics&) = delete;
+
     /// The forces at the start.
-    void begin();
+    void compute_forces();
     /// Sensing and splits at the current state. No communication.
-    void act();
+    void break_duplets();
     /// The explicit step of every union, received ones from the owners of their entities, and the forces at the new state. Collective.
     void advance(physics::Measure measure);
 
@@ -52,6 +61,15 @@ public:
     [[nodiscard]] const physics::Network& network() const { return network_; }
     [[nodiscard]] const physics::State& state() const { return state_; }
     [[nodiscard]] const MotionExchange& exchange() const { return exchange_; }
+    /// Over all ranks, at the start.
+    [[nodiscard]] const ProblemCounts& counts() const { return counts_; }
+    [[nodiscard]] const EnergyBook& energies() const { return energies_; }
+    /// The first failure of a motion on this rank, if there was one.
+    [[nodiscard]] const std::optional<physics::MotionFailure>& failure() const { return failure_; }
+    /// Bytes of network, state and engine.
+    [[nodiscard]] std::size_t memory_bytes() const {
+        return network_.memory_bytes() + state_.memory_bytes() + engine_->memory_bytes();
+    }
     [[nodiscard]] MassEvolution evolution() const { return {network_, state_}; }
 
     /// Splits of this rank's touched unions since the last call.
@@ -77,8 +95,12 @@ private:
     partition::Decomposition decomposition_;
     physics::Network network_;
     physics::State state_;
+    std::unique_ptr<physics::Engine> engine_;
     MotionExchange exchange_;
-    physics::Sensors sensors_;
+    physics::Prefilter prefilter_;
+    ProblemCounts counts_;
+    EnergyBook energies_;
+    std::optional<physics::MotionFailure> failure_;
     physics::SplitStream new_splits_;
     std::size_t counted_splits_{0};
     std::vector<physics::DupletEvent> new_events_;

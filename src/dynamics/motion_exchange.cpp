@@ -74,7 +74,7 @@ MotionExchange::MessageView::MessageView(std::span<const double> message) {
     const auto doubles = doubles_of_part * static_cast<std::size_t>(message[0]);
     require(message.size() >= doubles_of_header + doubles);
     fingerprint = static_cast<std::uint64_t>(message[1]);
-    labels = message.subspan(doubles_of_header, doubles);
+    parts = message.subspan(doubles_of_header, doubles);
     increments = message.subspan(doubles_of_header + doubles);
 }
 
@@ -88,64 +88,86 @@ std::vector<partition::NeighbourMessages::Neighbour> MotionExchange::neighbours(
     return found;
 }
 
-void MotionExchange::start(const physics::Network& network, const partition::Decomposition& decomposition,
-                           physics::State& state) const {
-    std::vector<physics::StartIncrements> sent;
+void MotionExchange::share_parts(const physics::Network& network, const partition::Decomposition& decomposition,
+                                 physics::State& state, physics::Engine& engine) {
+    std::vector<std::int32_t> sent;
+    for (const LocalMass m : local_masses(decomposition, plan_.sent())) {
+        sent.push_back(state.unions.part(m));
+    }
+    std::vector<std::int32_t> received(network.received().size());
+    plan_.exchange<std::int32_t>(sent, received);
+    std::vector<physics::ReceivedPart> parts;
+    for (std::size_t i = 0; i < received.size(); ++i) {
+        if (received[i] != state.unions.part(network.received()[i])) {
+            parts.push_back({i, received[i]});
+        }
+    }
+    set_parts(network, parts, state, engine);
+}
+
+void MotionExchange::share_increments(const physics::Network& network, const partition::Decomposition& decomposition,
+                                      physics::State& state) const {
+    std::vector<physics::ReceivedIncrements> sent;
     for (const LocalMass m : local_masses(decomposition, plan_.sent())) {
         const physics::LocalUnion s = state.unions.union_of(m);
         sent.push_back({state.increment(s), state.velocity_increment(s)});
     }
-    std::vector<physics::StartIncrements> received(network.received().size());
-    plan_.exchange<physics::StartIncrements>(sent, received);
-    physics::set_received(network, state, received);
+    std::vector<physics::ReceivedIncrements> received(network.received().size());
+    plan_.exchange<physics::ReceivedIncrements>(sent, received);
+    physics::set_received_increments(network, received, state);
 }
 
 std::span<const Vec3> MotionExchange::next_increments(const physics::Network& network, physics::State& state,
-                                                      Stopwatch& stopwatch) {
+                                                      physics::Engine& engine, Stopwatch& stopwatch) {
     for (std::size_t target = 0; target < sent_.size(); ++target) {
-        write(network, state, target);
+        write(state, engine, target);
     }
     messages_.begin();
     stopwatch.time(Phase::waiting, [&] { messages_.end(); });
-    read_labels(network, state);
+    read_parts(network, state, engine);
     for (std::size_t source = 0; source < received_.size(); ++source) {
         read_increments(source);
     }
     return increments_;
 }
 
-void MotionExchange::write(const physics::Network& network, const physics::State& state, std::size_t target) {
+void MotionExchange::write(const physics::State& state, const physics::Engine& engine, std::size_t target) {
     ListedUnions& unions = sent_[target];
-    const std::vector<ListedUnions::NewPart> relabelled = unions.update(state.unions);
-    const std::size_t before = doubles_of_header + doubles_of_part * relabelled.size();
+    const std::vector<ListedUnions::NewPart> new_parts = unions.update(state.unions);
+    const std::size_t before = doubles_of_header + doubles_of_part * new_parts.size();
     std::vector<double>& message = messages_.outgoing(target);
     message.resize(before + doubles_of_increment * unions.entries().size());
-    message[0] = static_cast<double>(relabelled.size());
+    message[0] = static_cast<double>(new_parts.size());
     message[1] = static_cast<double>(unions.fingerprint());
     auto at = message.begin() + doubles_of_header;
-    for (const auto& [place, label] : relabelled) {
+    for (const auto& [place, part] : new_parts) {
         *at++ = place;
-        *at++ = label;
+        *at++ = part;
     }
-    physics::find_next_increments(network, state, unions.entries(), std::span{message}.subspan(before));
+    engine.next_increments(state, unions.entries(), std::span{message}.subspan(before));
     bytes_sent_ += static_cast<std::int64_t>(message.size() * sizeof(double));
 }
 
-void MotionExchange::read_labels(const physics::Network& network, physics::State& state) {
-    std::vector<physics::ReceivedPart> labels;
+void MotionExchange::read_parts(const physics::Network& network, physics::State& state, physics::Engine& engine) {
+    std::vector<physics::ReceivedPart> parts;
     for (std::size_t source = 0; source < received_.size(); ++source) {
-        const std::span<const double> told = MessageView{messages_.incoming(source)}.labels;
-        for (std::size_t i = 0; i < told.size(); i += doubles_of_part) {
-            const auto place = static_cast<std::size_t>(told[i]);
-            const auto label = static_cast<int>(told[i + 1]);
-            require(place < received_[source].masses().size() && label < physics::layers);
-            labels.push_back({plan_.sources()[source].places[place], label});
+        const std::span<const double> numbers = MessageView{messages_.incoming(source)}.parts;
+        for (std::size_t i = 0; i < numbers.size(); i += doubles_of_part) {
+            const auto place = static_cast<std::size_t>(numbers[i]);
+            const auto part = static_cast<int>(numbers[i + 1]);
+            require(place < received_[source].masses().size() && part < physics::layers);
+            parts.push_back({plan_.sources()[source].places[place], part});
         }
     }
-    if (labels.empty()) {
+    set_parts(network, parts, state, engine);
+}
+
+void MotionExchange::set_parts(const physics::Network& network, std::span<const physics::ReceivedPart> parts,
+                               physics::State& state, physics::Engine& engine) {
+    if (parts.empty()) {
         return;
     }
-    physics::set_received_parts(network, state, labels);
+    physics::set_received_parts(network, parts, state, engine);
     for (ListedUnions& unions : received_) {
         static_cast<void>(unions.update(state.unions));
     }
@@ -154,11 +176,11 @@ void MotionExchange::read_labels(const physics::Network& network, physics::State
 void MotionExchange::read_increments(std::size_t source) {
     const std::span<const ListedUnions::Entry> unions = received_[source].entries();
     const MessageView message{messages_.incoming(source)};
-    const std::span<const double> told = message.increments;
+    const std::span<const double> values = message.increments;
     require(message.fingerprint == received_[source].fingerprint() &&
-            told.size() == doubles_of_increment * unions.size());
+            values.size() == doubles_of_increment * unions.size());
     for (std::size_t i = 0; i < unions.size(); ++i) {
-        const std::span<const double> next = told.subspan(doubles_of_increment * i, doubles_of_increment);
+        const std::span<const double> next = values.subspan(doubles_of_increment * i, doubles_of_increment);
         increments_[plan_.sources()[source].places[unions[i].first]] = {next[0], next[1], next[2]};
     }
 }

@@ -5,8 +5,8 @@
 #include "core/errors.hpp"
 #include "core/text.hpp"
 #include "core/vec3.hpp"
-#include "io/memory.hpp"
 #include "forecast/memory_forecast.hpp"
+#include "io/memory.hpp"
 
 namespace cracksim::forecast {
 
@@ -17,7 +17,8 @@ Range peaks(const scene::Scene& scene, const RankCounts& counts, const RankSetti
 }
 
 Range exchange_of(std::int64_t messages, std::int64_t unions, std::int64_t masses) {
-    return {dynamics::MotionExchange::bytes_of_step(messages, unions), dynamics::MotionExchange::bytes_of_step(messages, masses)};
+    return {dynamics::MotionExchange::bytes_of_step(messages, unions),
+            dynamics::MotionExchange::bytes_of_step(messages, masses)};
 }
 
 }  // namespace
@@ -34,8 +35,9 @@ Machine survey_machine(const partition::Communicator& comm) {
     return machine;
 }
 
-Forecast estimate(const scene::Scene& scene, const scene::CertifiedStep& certified, const Machine& machine) {
-    Forecast forecast{machine.ranks == 1, {}, {}, forecast_output(scene, certified)};
+Forecast estimate(const scene::Scene& scene, const Machine& machine) {
+    Forecast forecast;
+    forecast.is_partitioned = machine.ranks == 1;
     RankCounts all;
     RankSetting setting{machine.ranks, true, machine.process_bytes};
     for (const RankCounts& counts : estimated_rank_counts(scene.block, scene.partition, machine.ranks)) {
@@ -55,10 +57,11 @@ Forecast forecast(const partition::Communicator& comm, const scene::Scene& scene
                   const dynamics::Dynamics& dynamics, const surface::Coat& coat, const Machine& machine) {
     const RankCounts counts = count_rank(dynamics, coat);
     const Range here = peaks(scene, counts, {machine.ranks, comm.is_root(), machine.process_bytes});
-    return {true,
+    return {dynamics.counts(),
+            true,
             {comm.max(here.intact), comm.max(here.broken)},
             exchange_of(comm.sum(counts.messages), comm.sum(counts.sent_unions), comm.sum(counts.sent)),
-            forecast_output(scene, certified)};
+            forecast_output(scene, certified, dynamics.counts())};
 }
 
 void check_memory(const scene::Scene& scene, const Forecast& forecast, const Machine& machine) {

@@ -8,7 +8,7 @@
 #include "forecast/output_forecast.hpp"
 #include "forecast/rank_counts.hpp"
 #include "partition/communicator.hpp"
-#include "scene/problem.hpp"
+#include "scene/certified_step.hpp"
 
 namespace cracksim::forecast {
 
@@ -28,14 +28,15 @@ struct Machine {
 
 /// What a run takes.
 struct Forecast {
+    ProblemCounts counts;
     bool is_partitioned{false};  ///< else more than one rank are estimated (see estimated_loads)
     Range memory_per_rank;       ///< bytes at the peak, of the rank that holds most
     Range exchange_per_step;     ///< bytes that leave all ranks
     OutputForecast output;
 };
 
-/// From the scene alone, in no time.
-[[nodiscard]] Forecast estimate(const scene::Scene& scene, const scene::CertifiedStep& certified, const Machine& machine);
+/// Memory and exchange from the scene alone, in no time; without counts and output.
+[[nodiscard]] Forecast estimate(const scene::Scene& scene, const Machine& machine);
 /// With the parts as they are. Collective.
 [[nodiscard]] Forecast forecast(const partition::Communicator& comm, const scene::Scene& scene,
                                 const scene::CertifiedStep& certified, const dynamics::Dynamics& dynamics,

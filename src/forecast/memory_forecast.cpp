@@ -5,15 +5,16 @@
 
 #include "core/hexahedron.hpp"
 #include "io/frame_writer.hpp"
+#include "physics/lattice/stretched_sensors.hpp"
+#include "scene/counts.hpp"
 #include "physics/problem/network.hpp"
-#include "physics/fracture/sensors.hpp"
 #include "physics/state/state.hpp"
 #include "surface/local_surface.hpp"
 #include "surface/mesh_assembly.hpp"
 #include "surface/surface_frames.hpp"
 #include "surface/surface_update.hpp"
-#include "topology/face_link.hpp"
 #include "topology/connectivity/spanning_forest.hpp"
+#include "topology/face_link.hpp"
 
 namespace cracksim::forecast {
 
@@ -31,7 +32,7 @@ constexpr double metis_per_entity = 180;
 /// Per mass that is sent or received, beside what the exchange of motion keeps of it: ids, PetscSF's lists and buffers.
 constexpr double exchange_per_mass = 45;
 
-constexpr double duplets = physics::Network::duplets_per_face;
+constexpr double duplets = physics::duplets_per_face;
 
 double number(std::int64_t n) { return static_cast<double>(n); }
 double between(const Range& range, double opened) {
@@ -45,7 +46,7 @@ double number_bytes(const scene::Time& time) {
 double masses(const RankCounts& counts) { return Hexahedron::corners * number(counts.local); }
 
 /// A factor does not change an infinite threshold.
-bool has_one_threshold(const scene::Sensors& sensors) {
+bool has_one_threshold(const scene::SensorSettings& sensors) {
     return sensors.threshold.is_constant() && (!sensors.weibull || std::isinf(sensors.threshold({}, 0)));
 }
 
@@ -69,7 +70,7 @@ double state_bytes(const RankCounts& counts, const scene::Time& time) {
     constexpr double per_batch = physics::SharedEdges::bytes_per_batch + limits + sizeof(physics::EdgeBits) +
                                  2 * (sizeof(std::uint32_t) + sizeof(std::int32_t)) + sizeof(std::int32_t);
     constexpr double per_site = sizeof(LocalEntity) + per_batch / lanes;
-    constexpr double per_vertex = sizeof(std::uint8_t) + sizeof(physics::Sensing::Revision) + sizeof(std::int32_t) +
+    constexpr double per_vertex = sizeof(std::uint8_t) + physics::StretchedSensors::bytes_per_vertex() + sizeof(std::int32_t) +
                                   2 * sizeof(std::int32_t) / lanes;
     const double components = time.scheme == physics::Scheme::ab2 ? 13 : 10;
     return number(counts.local) * per_entity + number(counts.sites) * per_site +
@@ -93,7 +94,7 @@ double pool_bytes(const RankCounts& counts, const scene::Time& time, double open
 
 /// While all that opens does so at once: the sensors over its edges, and the pool twice as it is put in order.
 double breaking_bytes(const RankCounts& counts, const scene::Time& time, double opened) {
-    return opened * number(counts.interior_faces) * with_room * physics::Sensors::bytes_per_face() +
+    return opened * number(counts.interior_faces) * with_room * physics::StretchedSensors::bytes_per_face() +
            pooled_motion_bytes(counts, time, opened);
 }
 
@@ -105,7 +106,8 @@ double coat_bytes(const RankCounts& counts, double opened) {
                                   2 * (sizeof(LocalEntity) + sizeof(topology::Tree)) + sizeof(std::int32_t) +
                                   sizeof(std::uint8_t);
     const double free_faces = number(counts.boundary_faces) + 2 * opened * number(counts.interior_faces);
-    return number(counts.local) * per_entity + free_faces * (sizeof(surface::LocalSurface::Face) + sizeof(std::int32_t));
+    return number(counts.local) * per_entity +
+           free_faces * (sizeof(surface::LocalSurface::Face) + sizeof(std::int32_t));
 }
 
 double distribution_bytes(const RankCounts& counts) {
@@ -130,7 +132,8 @@ struct Share {
     double filed;
 };
 
-Share share_of(const scene::Scene& scene, const SeriesForecast& series, const RankCounts& counts, int ranks, double opened) {
+Share share_of(const scene::Scene& scene, const SeriesForecast& series, const RankCounts& counts, int ranks,
+               double opened) {
     const Block& block = scene.block;
     const double all = number(block.entity_count());
     const double boundary = Hexahedron::faces * all - 2 * number(block.interior_face_count());
@@ -187,7 +190,7 @@ double keeping_bytes(const SeriesForecast& series, const RankSetting& setting, d
 /// The series that takes most.
 double frame_bytes(const scene::Scene& scene, const RankCounts& counts, const RankSetting& setting, double opened) {
     double most = 0;
-    for (const SeriesForecast& series : forecast_series(scene)) {
+    for (const SeriesForecast& series : forecast_series(scene, scene::count_without_notches(scene))) {
         const double cells = between(series.faces, opened);
         const double frame = between(series.frame_bytes, opened);
         const Share share = share_of(scene, series, counts, setting.ranks, opened);
@@ -223,7 +226,8 @@ double model_bytes(const scene::Scene& scene, const RankCounts& counts, double o
            pool_bytes(counts, scene.time, opened) + coat_bytes(counts, opened);
 }
 
-std::int64_t peak_bytes(const scene::Scene& scene, const RankCounts& counts, const RankSetting& setting, double opened) {
+std::int64_t peak_bytes(const scene::Scene& scene, const RankCounts& counts, const RankSetting& setting,
+                        double opened) {
     const double model = model_bytes(scene, counts, opened) + distribution_bytes(counts);
     // Events and frames add up: SuperLU_DIST, which comes with PETSc, sets the allocator to give nothing back to the system, and the
     // trees that a coat leaves are too small for a frame.

@@ -7,9 +7,9 @@
 #include "io/history_writer.hpp"
 #include "io/summary.hpp"
 #include "io/vtkhdf.hpp"
-#include "surface/frame_meshes.hpp"
 #include "scene/resolved.hpp"
 #include "scene/schedule.hpp"
+#include "surface/frame_meshes.hpp"
 
 namespace cracksim::forecast {
 
@@ -98,8 +98,8 @@ std::int64_t series_bytes(const SeriesForecast& series, std::int64_t later, End 
 
 std::int64_t all_bytes(const scene::Scene& scene, const OutputForecast& forecast, End end) {
     const std::int64_t later = forecast.frames - 1;
-    std::int64_t bytes =
-        small_files + static_cast<std::int64_t>(scene::resolved(scene).size()) + io::history_bytes(forecast.history_rows);
+    std::int64_t bytes = small_files + static_cast<std::int64_t>(scene::resolved(scene).size()) +
+                         io::history_bytes(forecast.history_rows);
     std::int64_t frames = 0;
     for (const SeriesForecast& one : forecast.series) {
         bytes += series_bytes(one, later, end);
@@ -110,19 +110,21 @@ std::int64_t all_bytes(const scene::Scene& scene, const OutputForecast& forecast
 
 }  // namespace
 
-std::vector<SeriesForecast> forecast_series(const scene::Scene& scene) {
+std::vector<SeriesForecast> forecast_series(const scene::Scene& scene, const ProblemCounts& counts) {
     const Block& block = scene.block;
     const std::int64_t all_faces = block.entity_count() * Hexahedron::faces;
     const std::int64_t boundary = all_faces - 2 * block.interior_face_count();
     const std::int64_t masses = block.mass_count();
+    // Both sides of a notch are free faces. Most of their vertices lie inside the notch: about one a face on either side.
+    const std::int64_t notched = 2 * counts.notched_faces;
     std::vector<SeriesForecast> all;
     if (scene.output.surface) {
-        all.push_back(
-            series("surface", surface::surface_layout(block), {boundary, all_faces}, {boundary_vertices(block), masses}));
+        all.push_back(series("surface", surface::surface_layout(block), {boundary + notched, all_faces},
+                             {boundary_vertices(block) + notched, masses}));
     }
     if (scene.output.crack) {
-        all.push_back(
-            series("crack", surface::surface_layout(block), {0, all_faces - boundary}, {0, boundary == all_faces ? 0 : masses}));
+        all.push_back(series("crack", surface::surface_layout(block), {notched, all_faces - boundary},
+                             {notched, boundary == all_faces ? 0 : masses}));
     }
     if (scene.output.masses) {
         all.push_back(series("masses", surface::mass_layout(block), {masses, masses}, {masses, masses}));
@@ -134,21 +136,22 @@ std::vector<SeriesForecast> forecast_series(const scene::Scene& scene) {
     return all;
 }
 
-OutputForecast forecast_output(const scene::Scene& scene, const scene::CertifiedStep& certified) {
+OutputForecast forecast_output(const scene::Scene& scene, const scene::CertifiedStep& certified,
+                               const ProblemCounts& counts) {
     const scene::Schedule frame{scene.output.rate, certified.step};
     OutputForecast forecast;
     forecast.frames = times(frame, certified.steps);
     forecast.coats = coats(scene::Schedule{scene.coat_rate, certified.step}, scene.coat_rate, frame, certified.steps);
     forecast.history_rows = times(scene::Schedule{scene.history_rate, certified.step}, certified.steps);
-    forecast.series = forecast_series(scene);
+    forecast.series = forecast_series(scene, counts);
 
     for (const SeriesForecast& one : forecast.series) {
         forecast.per_face += one.per_face;
     }
-    const std::int64_t duplets = scene::scene_counts(scene).duplets;
     const std::int64_t masses = scene.block.mass_count();
-    forecast.bytes = {all_bytes(scene, forecast, &Range::intact) + io::event_file_bytes(0, 0, 0),
-                      all_bytes(scene, forecast, &Range::broken) + io::event_file_bytes(duplets, masses, masses)};
+    forecast.bytes = {
+        all_bytes(scene, forecast, &Range::intact) + io::event_file_bytes(0, 0, 0),
+        all_bytes(scene, forecast, &Range::broken) + io::event_file_bytes(counts.duplets, masses, masses)};
     return forecast;
 }
 

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "core/problem_counts.hpp"
 #include "io/frame_index.hpp"
-#include "scene/problem.hpp"
+#include "scene/certified_step.hpp"
 #include "scene/scene.hpp"
 
 namespace cracksim::forecast {
@@ -20,9 +21,9 @@ struct Range {
 struct SeriesForecast {
     std::string name;
     io::CellLayout cells;
-    Range faces;                 ///< cells of one frame
-    Range points;                ///< of one frame
-    Range frame_bytes;           ///< 0 for a frame without cells, which is not written
+    Range faces;            ///< cells of one frame
+    Range points;           ///< of one frame
+    Range frame_bytes;      ///< 0 for a frame without cells, which is not written
     std::int64_t per_face;  ///< bytes that an opened interior face adds to each frame
 };
 
@@ -32,13 +33,14 @@ struct OutputForecast {
     std::int64_t coats{0};
     std::int64_t history_rows{0};
     std::vector<SeriesForecast> series;
-    Range bytes;                    ///< of all files of DIR at the end
+    Range bytes;               ///< of all files of DIR at the end
     std::int64_t per_face{0};  ///< bytes, for each interior face that opens, in each later frame
 };
 
 /// The series that a scene writes.
-[[nodiscard]] std::vector<SeriesForecast> forecast_series(const scene::Scene& scene);
+[[nodiscard]] std::vector<SeriesForecast> forecast_series(const scene::Scene& scene, const ProblemCounts& counts);
 
-[[nodiscard]] OutputForecast forecast_output(const scene::Scene& scene, const scene::CertifiedStep& certified);
+[[nodiscard]] OutputForecast forecast_output(const scene::Scene& scene, const scene::CertifiedStep& certified,
+                                             const ProblemCounts& counts);
 
 }  // namespace cracksim::forecast

@@ -84,7 +84,7 @@ double read_viscosity(const InputNode& interaction) {
     return viscosity ? not_negative(*viscosity, "N s/m") : 0.0;
 }
 
-Network read_network(const InputNode& node) {
+NetworkSettings read_network(const InputNode& node) {
     node.expect_keys(keys_of("network"));
     const InputNode edge = node.at("edge");
     const InputNode diagonal = node.at("diagonal");
@@ -96,7 +96,7 @@ Network read_network(const InputNode& node) {
 }
 
 /// Throws for values that only a mistaken unit can make, before they overflow somewhere.
-void check_range(const InputNode& node, const Network& network) {
+void check_range(const InputNode& node, const NetworkSettings& network) {
     struct Quantity {
         const char* name;
         const char* unit;
@@ -146,7 +146,8 @@ Matter read_matter(const InputNode& root, const Block& block) {
     if (material_node) {
         material = read_material(*material_node, block);
     }
-    const Network network = material ? calibrated_network(*material, block.edge().x) : read_network(*network_node);
+    const NetworkSettings network =
+        material ? calibrated_network(*material, block.edge().x) : read_network(*network_node);
     check_range(material_node ? *material_node : *network_node, network);
     return {material, network};
 }

@@ -11,7 +11,7 @@ namespace cracksim::scene {
 /// What a block is made of. An input gives material or network; the network follows from a material.
 struct Matter {
     std::optional<Material> material;
-    Network network;
+    NetworkSettings network;
 };
 
 /// The section `block`. Throws InputError.

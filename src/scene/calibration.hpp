@@ -13,7 +13,7 @@ namespace cracksim::scene {
 /// Interactions of stiffness k, length L and direction n give C_ijkl = (1/V) sum k L^2 n_i n_j n_k n_l: with the edges and the
 /// diagonals of a cube C11 = (4 k_edge + 4/3 k_diagonal) / a = 1.2 E and C12 = C44 = 4/3 k_diagonal / a = 0.4 E.
 /// edge: a, m.
-[[nodiscard]] inline Network calibrated_network(const Material& material, double edge) {
+[[nodiscard]] inline NetworkSettings calibrated_network(const Material& material, double edge) {
     const double sound = std::sqrt(material.young / material.density);
     const double viscosity_per_stiffness = material.damping * edge / sound;
     const double edge_stiffness = 0.2 * edge * material.young;

@@ -48,11 +48,11 @@ std::string yaml(const std::array<T, 3>& items) {
     return "[" + yaml(items[0]) + ", " + yaml(items[1]) + ", " + yaml(items[2]) + "]";
 }
 
-std::string yaml(const Interaction& i) {
+std::string yaml(const physics::KelvinVoigt& i) {
     return "{stiffness: " + yaml(i.stiffness) + ", viscosity: " + yaml(i.viscosity) + "}";
 }
 
-std::string network_text(const Network& network, const std::string& indent) {
+std::string network_text(const NetworkSettings& network, const std::string& indent) {
     return indent + "network:\n" + indent + "  mass: " + yaml(network.mass) + "\n" + indent +
            "  edge: " + yaml(network.edge) + "\n" + indent + "  diagonal: " + yaml(network.diagonal) + "\n";
 }
@@ -76,7 +76,30 @@ std::string matter_text(const Scene& scene) {
     return text + "# This material makes the\n" + network_text(scene.network, "# ");
 }
 
-std::string sensors_text(const Sensors& sensors) {
+std::string shape_text(const RectangleSettings& r) {
+    return "{rectangle: {corner: " + yaml(r.corner) + ", along: " + yaml(r.along) + ", and: " + yaml(r.across) + "}}";
+}
+std::string shape_text(const DiscSettings& d) {
+    return "{disc: {centre: " + yaml(d.centre) + ", normal: " + yaml(d.normal) + ", radius: " + yaml(d.radius) + "}}";
+}
+std::string shape_text(const PolygonSettings& p) {
+    std::string text;
+    for (const Vec3& corner : p.corners) {
+        text += (text.empty() ? "" : ", ") + yaml(corner);
+    }
+    return "{polygon: [" + text + "]}";
+}
+
+std::string notches_text(const std::vector<NotchSettings>& notches) {
+    std::string text = notches.empty() ? "notches: []\n" : "notches:\n";
+    for (const NotchSettings& notch : notches) {
+        const std::string where = std::visit([](const auto& shape) { return shape_text(shape); }, notch.where);
+        text += "  - name: " + yaml(notch.name) + "\n    where: " + where + "\n";
+    }
+    return text;
+}
+
+std::string sensors_text(const SensorSettings& sensors) {
     std::string text = "sensors:\n  kind: normal\n";
     text += std::string{sensors.from_fracture_energy ? "  # from material.fracture_energy: " : "  "} +
             "threshold: " + yaml(sensors.threshold) + "\n";
@@ -87,9 +110,9 @@ std::string sensors_text(const Sensors& sensors) {
     return text + "  prefilter: " + yaml(sensors.prefilter) + "\n";
 }
 
-std::string supports_text(const std::vector<Support>& supports) {
+std::string supports_text(const std::vector<SupportSettings>& supports) {
     std::string text = supports.empty() ? "supports: []\n" : "supports:\n";
-    for (const Support& support : supports) {
+    for (const SupportSettings& support : supports) {
         text += "  - name: " + yaml(support.name) + "\n    where: {box: [" + yaml(support.box[0]) + ", " +
                 yaml(support.box[1]) + "]}\n    velocity: " + yaml(support.velocity) + "\n";
     }
@@ -122,7 +145,8 @@ std::string name_of(PartitionKind kind) {
 
 std::string resolved(const Scene& scene) {
     return "title: " + yaml(scene.title) + "\n" + block_text(scene.block) + matter_text(scene) +
-           "duplets: " + (scene.duplets == physics::Duplets::tree ? "tree" : "corners") + "\n" +
+           notches_text(scene.notches) +
+           "duplets: " + (scene.duplets == physics::DupletKind::tree ? "tree" : "corners") + "\n" +
            sensors_text(scene.sensors) + "initial:\n  displacement: " + yaml(scene.initial.displacement) +
            "\n  velocity: " + yaml(scene.initial.velocity) + "\n" + supports_text(scene.supports) +
            time_text(scene.time) + "coat: {rate: " + yaml(scene.coat_rate) + "}\n" + output_text(scene.output) +

@@ -8,10 +8,11 @@
 #include "core/block.hpp"
 #include "core/vec3.hpp"
 #include "io/expression.hpp"
-#include "physics/state/motion.hpp"
 #include "physics/problem/network.hpp"
 #include "physics/problem/stability.hpp"
 #include "physics/problem/thresholds.hpp"
+#include "physics/state/motion.hpp"
+#include "scene/notch_settings.hpp"
 
 namespace cracksim::scene {
 
@@ -23,22 +24,17 @@ struct Material {
     std::optional<double> fracture_energy;  ///< J/m2
 };
 
-struct Interaction {
-    double stiffness;  ///< N/m
-    double viscosity;  ///< N s/m
-};
-
 /// What every entity is made of.
-struct Network {
+struct NetworkSettings {
     double mass;  ///< kg at each corner
-    Interaction edge;
-    Interaction diagonal;
+    physics::KelvinVoigt edge;
+    physics::KelvinVoigt diagonal;
 };
 
 enum class SensorKind { normal };
 enum class PartitionKind { metis, slab, random };
 
-struct Sensors {
+struct SensorSettings {
     SensorKind kind;
     io::Expression threshold;   ///< stretch, of the rest position
     bool from_fracture_energy;  ///< the threshold follows from Material::fracture_energy
@@ -46,13 +42,13 @@ struct Sensors {
     bool prefilter;  ///< look only where an edge is stretched enough; never changes what triggers
 };
 
-struct Initial {
+struct InitialSettings {
     std::array<io::Expression, 3> displacement;  ///< m, of the rest position
     std::array<io::Expression, 3> velocity;      ///< m/s, of the rest position
 };
 
 /// Holds the masses whose rest position is in the box (its boundary included) at a velocity.
-struct Support {
+struct SupportSettings {
     std::string name;
     std::array<Vec3, 2> box;  ///< lower and upper corner, m
     std::array<std::optional<io::Expression>, 3>
@@ -91,11 +87,12 @@ struct Scene {
     std::string title;
     Block block;
     std::optional<Material> material;  ///< where `network` comes from, if the input gives a material
-    Network network;
-    physics::Duplets duplets;
-    Sensors sensors;
-    Initial initial;
-    std::vector<Support> supports;
+    NetworkSettings network;
+    physics::DupletKind duplets;
+    std::vector<NotchSettings> notches;
+    SensorSettings sensors;
+    InitialSettings initial;
+    std::vector<SupportSettings> supports;
     Time time;
     double coat_rate;  ///< Hz of topology and geometry
     Output output;

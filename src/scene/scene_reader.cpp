@@ -6,9 +6,10 @@
 #include <utility>
 
 #include "io/text_file.hpp"
+#include "scene/body_and_material.hpp"
 #include "scene/calibration.hpp"
 #include "scene/keys.hpp"
-#include "scene/body_and_material.hpp"
+#include "scene/notches.hpp"
 #include "scene/readers.hpp"
 #include "scene/warnings.hpp"
 
@@ -43,7 +44,7 @@ std::optional<physics::Weibull> read_weibull(const MaybeNode& sensors) {
     return physics::Weibull{value, static_cast<std::uint64_t>(chosen)};
 }
 
-Sensors read_sensors(const InputNode& root, const std::optional<Material>& material, double edge) {
+SensorSettings read_sensors(const InputNode& root, const std::optional<Material>& material, double edge) {
     constexpr std::array<std::pair<std::string_view, SensorKind>, 1> kinds{{{"normal", SensorKind::normal}}};
     constexpr std::array<std::string_view, 2> later{"wide", "full"};
     const MaybeNode node = find_section(root, "sensors", "sensors");
@@ -62,7 +63,7 @@ Sensors read_sensors(const InputNode& root, const std::optional<Material>& mater
             calibrated, read_weibull(node), boolean_or(node, "prefilter", true)};
 }
 
-Initial read_initial(const InputNode& root) {
+InitialSettings read_initial(const InputNode& root) {
     const io::Expression zero{0.0};
     const MaybeNode node = find_section(root, "initial", "initial");
     const MaybeNode displacement = find(node, "displacement");
@@ -84,12 +85,12 @@ std::array<Vec3, 2> read_box(const InputNode& node) {
     return box;
 }
 
-Support read_support(const InputNode& node, std::size_t index) {
+SupportSettings read_support(const InputNode& node, std::size_t index) {
     node.expect_keys(keys_of("supports.*"));
     const MaybeNode name = node.find("name");
     const InputNode where = node.at("where");
     where.expect_keys(keys_of("supports.*.where"));
-    Support support{name ? line(*name, 60) : "support " + std::to_string(index), read_box(where.at("box")), {}};
+    SupportSettings support{name ? line(*name, 60) : "support " + std::to_string(index), read_box(where.at("box")), {}};
     const InputNode velocity = node.at("velocity");
     const auto components = velocity.list(3);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -103,9 +104,9 @@ Support read_support(const InputNode& node, std::size_t index) {
     return support;
 }
 
-std::vector<Support> read_supports(const InputNode& root) {
+std::vector<SupportSettings> read_supports(const InputNode& root) {
     constexpr std::size_t most = 30'000;
-    std::vector<Support> supports;
+    std::vector<SupportSettings> supports;
     const MaybeNode node = root.find("supports");
     const auto items = node ? node->list() : std::vector<InputNode>{};
     if (items.size() > most) {
@@ -113,7 +114,7 @@ std::vector<Support> read_supports(const InputNode& root) {
     }
     std::unordered_set<std::string> names;
     for (const InputNode& item : items) {
-        Support support = read_support(item, supports.size());
+        SupportSettings support = read_support(item, supports.size());
         if (!names.insert(support.name).second) {
             item.fail("there is a support named '" + support.name + "' already; choose another name");
         }
@@ -169,11 +170,11 @@ PartitionKind read_partition(const InputNode& root) {
     return kind ? enumerator(*kind, kinds) : PartitionKind::metis;
 }
 
-physics::Duplets read_duplets(const InputNode& root) {
-    constexpr std::array<std::pair<std::string_view, physics::Duplets>, 2> kinds{
-        {{"corners", physics::Duplets::corners}, {"tree", physics::Duplets::tree}}};
+physics::DupletKind read_duplets(const InputNode& root) {
+    constexpr std::array<std::pair<std::string_view, physics::DupletKind>, 2> kinds{
+        {{"corners", physics::DupletKind::corners}, {"tree", physics::DupletKind::tree}}};
     const MaybeNode node = root.find("duplets");
-    return node ? enumerator(*node, kinds) : physics::Duplets::corners;
+    return node ? enumerator(*node, kinds) : physics::DupletKind::corners;
 }
 
 Places read_places(const InputNode& root) {
@@ -194,12 +195,13 @@ Scene scene_of(const InputNode& root) {
     const MaybeNode title = root.find("title");
     const Block block = read_block(root.at("block"));
     const Matter matter = read_matter(root, block);
-    Sensors sensors = read_sensors(root, matter.material, block.edge().x);
+    SensorSettings sensors = read_sensors(root, matter.material, block.edge().x);
     Scene scene{.title = title ? line(*title, 200) : "",
                 .block = block,
                 .material = matter.material,
                 .network = matter.network,
                 .duplets = read_duplets(root),
+                .notches = read_notches(root, block),
                 .sensors = std::move(sensors),
                 .initial = read_initial(root),
                 .supports = read_supports(root),

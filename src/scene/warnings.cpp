@@ -60,7 +60,7 @@ bool has_masses_between(const Block& block, int axis, double lower, double upper
 }
 
 /// Why no mass rests in a support's box; nothing if that cannot be told.
-std::optional<std::string> emptiness(const Scene& scene, const Support& support) {
+std::optional<std::string> emptiness(const Scene& scene, const SupportSettings& support) {
     for (int axis = 0; axis < 3; ++axis) {
         if (!has_masses_between(scene.block, axis, support.box[0][axis], support.box[1][axis])) {
             const double origin = scene.block.origin()[axis];
@@ -80,7 +80,7 @@ std::optional<std::string> emptiness(const Scene& scene, const Support& support)
 void warn_of_empty_supports(const Scene& scene, std::vector<std::string>& warnings) {
     constexpr int told = 3;
     int empty = 0;
-    for (const Support& support : scene.supports) {
+    for (const SupportSettings& support : scene.supports) {
         const auto why = emptiness(scene, support);
         empty += why ? 1 : 0;
         if (why && empty <= told) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/errors.hpp"
+#include "forecast/forecast.hpp"
 #include "io/collective_errors.hpp"
 #include "io/input_file.hpp"
 #include "io/log.hpp"
@@ -15,14 +16,15 @@
 #include "io/text_file.hpp"
 #include "partition/partitioner.hpp"
 #include "physics/simd_target.hpp"
-#include "forecast/forecast.hpp"
-#include "simulation/terminal_text.hpp"
-#include "simulation/progress.hpp"
-#include "simulation/make_summary.hpp"
-#include "simulation/run_files.hpp"
-#include "scene/scene_reader.hpp"
+#include "scene/counts.hpp"
 #include "scene/resolved.hpp"
+#include "scene/scene_reader.hpp"
+#include "scene/size_limits.hpp"
+#include "simulation/make_summary.hpp"
+#include "simulation/progress.hpp"
+#include "simulation/run_files.hpp"
 #include "simulation/simulation.hpp"
+#include "simulation/terminal_text.hpp"
 
 namespace cracksim::simulation {
 
@@ -37,8 +39,8 @@ std::string read_input(const partition::Communicator& comm, const std::filesyste
     } catch (const InputError& error) {
         problem = error.what();
     }
-    if (const auto said = comm.first(problem)) {
-        throw InputError{*said};
+    if (const auto text_of_problem = comm.first(problem)) {
+        throw InputError{*text_of_problem};
     }
     return comm.broadcast(std::move(text));
 }
@@ -51,17 +53,17 @@ std::vector<std::string> warnings(const scene::Scene& scene, const scene::Certif
     return all;
 }
 
-void tell(io::Log& log, const std::vector<std::string>& lines) {
+void print(io::Log& log, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) {
         log.info(line);
     }
 }
 
 /// What a run, or its forecast, begins with on the terminal.
-void announce(io::Log& log, const CommandLine& command, const scene::Scene& scene, const scene::CertifiedStep& certified, int ranks,
-              const forecast::Forecast& forecast) {
+void announce(io::Log& log, const CommandLine& command, const scene::Scene& scene,
+              const scene::CertifiedStep& certified, int ranks, const forecast::Forecast& forecast) {
     log.info(io::version_line() + ": " + (scene.title.empty() ? command.input.string() : scene.title));
-    tell(log, overview(scene, certified, ranks, forecast));
+    print(log, overview(scene, certified, ranks, forecast));
     for (const std::string& warning : warnings(scene, certified)) {
         log.warn(warning);
     }
@@ -79,7 +81,7 @@ void check_unbuilt(const scene::Scene& scene, int ranks) {
     }
 }
 
-/// A run whose end is to be told.
+/// A run that has finished and must be reported.
 struct FinishedRun {
     const partition::Communicator& comm;
     const Simulation& simulation;
@@ -144,22 +146,52 @@ int run_with_files(const partition::Communicator& comm, Simulation& simulation, 
     }
     const io::Summary summary = ending.summary();
     ending.write(summary);
-    tell(log, closing_lines(summary, directory.path().string()));
+    print(log, closing_lines(summary, directory.path().string()));
     return 0;
 }
 
-/// Returns the exit code.
-int follow(const partition::Communicator& comm, const CommandLine& command, io::Log& log) {
+/// Forecasts a block that is too large to be built for it.
+void forecast_unbuilt(const CommandLine& command, const scene::Scene& scene, const scene::CertifiedStep& certified,
+                      int ranks, forecast::Forecast estimated, io::Log& log) {
+    estimated.counts = scene::count_without_notches(scene);
+    estimated.output = forecast::forecast_output(scene, certified, estimated.counts);
+    announce(log, command, scene, certified, ranks, estimated);
+    print(log, dry_run_lines(estimated, false));
+}
+
+/// All ranks use the lowest SIMD target of all, or that of the command line if it is lower. Collective.
+void agree_on_simd_target(const partition::Communicator& comm, const CommandLine& command) {
     const std::int64_t best = physics::best_simd_target();
     physics::limit_simd_target(comm.min(std::min(best, command.simd_target.value_or(best))));
+}
+
+/// Writes the files of a run into its directory from its beginning to its end. Returns the exit code.
+int run_in_directory(const partition::Communicator& comm, const CommandLine& command, const io::RunDirectory& directory,
+                     Simulation& simulation, const forecast::Forecast& forecast, io::Log& log) {
+    const scene::Scene& scene = simulation.scene();
+    const io::RunLock lock = directory.prepare(comm);
+    log.open(directory.file("cracksim.log"));
+    io::on_root(comm, [&] { io::write_text(directory.file("input.resolved.yaml"), scene::resolved(scene)); });
+    announce(log, command, scene, simulation.certified(), comm.size(), forecast);
+    if (comm.is_root() && !lock.held()) {
+        log.warn("the file system of " + directory.path().string() +
+                 " cannot lock files: no other run may write there meanwhile");
+    }
+    return run_with_files(comm, simulation, forecast, directory, log, command.progress);
+}
+
+/// Returns the exit code.
+int run_command(const partition::Communicator& comm, const CommandLine& command, io::Log& log) {
+    agree_on_simd_target(comm, command);
     dynamics::Stopwatch stopwatch;
     const forecast::Machine machine = forecast::survey_machine(comm);
     const io::RunDirectory directory{command.directory()};
-    const scene::Scene scene = scene::read_scene(read_input(comm, command.input), command.input.string(), command.settings);
+    const scene::Scene scene =
+        scene::read_scene(read_input(comm, command.input), command.input.string(), command.settings);
     directory.check(comm);
     const scene::CertifiedStep certified = scene::certify_step(scene);
     check_unbuilt(scene, comm.size());
-    const forecast::Forecast estimated = forecast::estimate(scene, certified, machine);
+    const forecast::Forecast estimated = forecast::estimate(scene, machine);
     if (!command.dry_run) {
         forecast::check_memory(scene, estimated, machine);
     }
@@ -167,37 +199,28 @@ int follow(const partition::Communicator& comm, const CommandLine& command, io::
         log.warn(*warning);
     }
     if (command.dry_run && scene.block.entity_count() > most_built_to_forecast) {
-        announce(log, command, scene, certified, comm.size(), estimated);
-        tell(log, dry_run_lines(estimated, false));
+        forecast_unbuilt(command, scene, certified, comm.size(), estimated, log);
         return 0;
     }
-    auto simulation =
-        stopwatch.time(dynamics::Phase::setup, [&] { return std::make_unique<Simulation>(comm, scene, stopwatch); });
+    auto simulation = stopwatch.time(dynamics::Phase::setup,
+                                     [&] { return std::make_unique<Simulation>(comm, scene, certified, stopwatch); });
+    const forecast::Forecast found =
+        forecast::forecast(comm, scene, certified, simulation->dynamics(), simulation->coat(), machine);
+    if (command.dry_run) {
+        announce(log, command, scene, certified, comm.size(), found);
+        print(log, dry_run_lines(found, true));
+        return 0;
+    }
     if (command.audit) {
         simulation->enable_audit();
     }
-    const forecast::Forecast found = forecast::forecast(
-        comm, scene, simulation->certified(), simulation->dynamics(), simulation->coat(), machine);
-    if (command.dry_run) {
-        announce(log, command, scene, certified, comm.size(), found);
-        tell(log, dry_run_lines(found, true));
-        return 0;
-    }
-    const io::RunLock lock = directory.prepare(comm);
-    log.open(directory.file("cracksim.log"));
-    io::on_root(comm, [&] { io::write_text(directory.file("input.resolved.yaml"), scene::resolved(scene)); });
-    announce(log, command, scene, certified, comm.size(), found);
-    if (comm.is_root() && !lock.held()) {
-        log.warn("the file system of " + directory.path().string() +
-                 " cannot lock files: no other run may write there meanwhile");
-    }
-    return run_with_files(comm, *simulation, found, directory, log, command.progress);
+    return run_in_directory(comm, command, directory, *simulation, found, log);
 }
 
-/// The exit code when all is said: what could not be said is no success. Collective.
+/// The exit code at the end: a run whose lines could not be printed is no success. Collective.
 int closing_code(const partition::Communicator& comm, const io::Log& log, int code) {
-    const bool unsaid = comm.any(log.lost_terminal());
-    return unsaid && code == 0 ? 1 : code;
+    const bool unprinted = comm.any(log.lost_terminal());
+    return unprinted && code == 0 ? 1 : code;
 }
 
 }  // namespace
@@ -210,7 +233,7 @@ int answer(const partition::Communicator& comm, const Answer& given) {
 
 int execute(const partition::Communicator& comm, const CommandLine& command) {
     io::Log log{comm, command.quiet};
-    return closing_code(comm, log, follow(comm, command, log));
+    return closing_code(comm, log, run_command(comm, command, log));
 }
 
 }  // namespace cracksim::simulation

@@ -4,8 +4,8 @@
 #include "core/text.hpp"
 #include "io/memory.hpp"
 #include "partition/session.hpp"
-#include "physics/state/hashes.hpp"
 #include "physics/simd_target.hpp"
+#include "physics/state/hashes.hpp"
 #include "scene/resolved.hpp"
 
 namespace cracksim::simulation {
@@ -38,21 +38,16 @@ io::Provenance provenance(const Simulation& simulation) {
 io::Summary::Seconds seconds(const Simulation& simulation) {
     const dynamics::Stopwatch& watch = simulation.stopwatch();
     const auto longest = [&](dynamics::Phase phase) { return simulation.comm().max(watch.in(phase)); };
-    return {simulation.comm().max(watch.total()),
-            longest(dynamics::Phase::setup),
-            longest(dynamics::Phase::force),
-            longest(dynamics::Phase::update),
-            longest(dynamics::Phase::sense),
-            longest(dynamics::Phase::exchange),
-            longest(dynamics::Phase::topology),
-            longest(dynamics::Phase::geometry),
-            longest(dynamics::Phase::output)};
+    return {
+        simulation.comm().max(watch.total()), longest(dynamics::Phase::setup),    longest(dynamics::Phase::force),
+        longest(dynamics::Phase::update),     longest(dynamics::Phase::sense),    longest(dynamics::Phase::exchange),
+        longest(dynamics::Phase::topology),   longest(dynamics::Phase::geometry), longest(dynamics::Phase::output)};
 }
 
 io::Summary::Memory memory(const Simulation& simulation) {
     const auto entities = static_cast<double>(simulation.scene().block.entity_count());
     const dynamics::Dynamics& dynamics = simulation.dynamics();
-    const auto model = static_cast<std::int64_t>(dynamics.network().memory_bytes() + dynamics.state().memory_bytes());
+    const auto model = static_cast<std::int64_t>(dynamics.memory_bytes());
     const auto coat = static_cast<std::int64_t>(simulation.coat().memory_bytes());
     const auto map = static_cast<std::int64_t>(simulation.coat().map().memory_bytes());
     const partition::Communicator& comm = simulation.comm();
@@ -78,7 +73,8 @@ std::vector<io::Summary::Fragment> largest_fragments(const Simulation& simulatio
 
 }  // namespace
 
-io::Summary summarize(const Simulation& simulation, const forecast::Forecast& forecast, std::vector<io::FrameSeries> frames) {
+io::Summary summarize(const Simulation& simulation, const forecast::Forecast& forecast,
+                      std::vector<io::FrameSeries> frames) {
     const partition::Communicator& comm = simulation.comm();
     const dynamics::Dynamics& dynamics = simulation.dynamics();
     const scene::CertifiedStep& certified = simulation.certified();
@@ -86,7 +82,7 @@ io::Summary summarize(const Simulation& simulation, const forecast::Forecast& fo
     const Energies& energies = simulation.energies();
     io::Summary summary;
     summary.provenance = provenance(simulation);
-    summary.counts = scene::scene_counts(simulation.scene());
+    summary.counts = simulation.dynamics().counts();
     summary.time = {simulation.scene().time.scheme == physics::Scheme::ab2 ? "ab2" : "cordis",
                     simulation.scene().time.precision == physics::Precision::binary32 ? "single" : "double",
                     certified.step,

@@ -31,21 +31,16 @@ std::string cause_of(const scene::CertifiedStep& certified, bool finite) {
     return text.str();
 }
 
-geometry::SharedUnions starting_unions(const physics::Network& network) {
-    geometry::SharedUnions unions{static_cast<std::size_t>(network.mass_count())};
-    network.for_each_union([&](std::span<const LocalMass> masses) { unions.set(masses); });
-    return unions;
-}
-
 }  // namespace
 
-Simulation::Simulation(const partition::Communicator& comm, const scene::Scene& scene, dynamics::Stopwatch& stopwatch)
+Simulation::Simulation(const partition::Communicator& comm, const scene::Scene& scene, scene::CertifiedStep certified,
+                       dynamics::Stopwatch& stopwatch)
     : comm_{&comm},
       scene_{&scene},
       stopwatch_{&stopwatch},
-      certified_{scene::certify_step(scene)},
+      certified_{std::move(certified)},
       dynamics_{comm, scene, certified_.step, stopwatch},
-      coat_{comm, scene.block, dynamics_.decomposition(), starting_unions(dynamics_.network())},
+      coat_{comm, scene.block, dynamics_.decomposition(), dynamics_.state().unions},
       coat_schedule_{scene.coat_rate, certified_.step},
       frame_schedule_{scene.output.rate, certified_.step},
       history_schedule_{scene.history_rate, certified_.step} {}
@@ -57,7 +52,7 @@ bool Simulation::is_measured(std::int64_t step) const {
 }
 
 void Simulation::run(Observer& observer) {
-    dynamics_.begin();
+    dynamics_.compute_forces();
     for (;;) {
         const std::int64_t step = dynamics_.state().step;
         const bool measured = is_measured(step);
@@ -65,7 +60,7 @@ void Simulation::run(Observer& observer) {
             frame_schedule_.is_due(step)) {
             check_motion(observer);
         }
-        dynamics_.act();
+        dynamics_.break_duplets();
         if (measured) {
             measure();
         }
@@ -105,12 +100,22 @@ void Simulation::bring_coat_up_to_date(Observer& observer) {
         dynamics_.audit(*audit_);
     }
     modify_coat(observer);
+    if (audit_) {
+        audit_coat();
+    }
+}
+
+void Simulation::audit_coat() const {
+    if (const auto fault = coat_.find_fault(dynamics_.state().unions, dynamics_.evolution())) {
+        throw SharedError{"audit at step " + std::to_string(dynamics_.state().step) + ": " + *fault};
+    }
 }
 
 void Simulation::measure() {
     const physics::State& state = dynamics_.state();
-    energies_ = {comm_->sum(physics::kinetic_energy(dynamics_.network(), state)), comm_->sum(state.elastic),
-                 comm_->sum(state.dissipated), comm_->sum(state.external)};
+    energies_ = {comm_->sum(physics::kinetic_energy(dynamics_.network(), state)),
+                 comm_->sum(dynamics_.energies().elastic()), comm_->sum(dynamics_.energies().dissipated()),
+                 comm_->sum(state.held.work)};
     if (state.step == 0) {
         start_energies_ = energies_;
     }
@@ -118,12 +123,12 @@ void Simulation::measure() {
 
 Totals Simulation::totals() const {
     return {comm_->sum(dynamics_.inactive_duplets()), comm_->sum(dynamics_.splits()),
-            scene_->block.vertex_count() + comm_->sum(dynamics_.parts_gained())};
+            dynamics_.counts().unions + comm_->sum(dynamics_.parts_gained())};
 }
 
 void Simulation::check_motion(Observer& observer) {
     constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
-    const auto& failure = dynamics_.state().failure;
+    const auto& failure = dynamics_.failure();
     const std::int64_t step = comm_->min(failure ? failure->step : none);
     if (step == none) {
         return;

@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/dynamics.hpp"
+#include "dynamics/stopwatch.hpp"
 #include "partition/audit.hpp"
 #include "partition/communicator.hpp"
 #include "physics/events.hpp"
-#include "surface/coat.hpp"
-#include "dynamics/dynamics.hpp"
-#include "scene/problem.hpp"
+#include "scene/certified_step.hpp"
 #include "scene/scene.hpp"
 #include "scene/schedule.hpp"
-#include "dynamics/stopwatch.hpp"
+#include "surface/coat.hpp"
 
 namespace cracksim::simulation {
 
@@ -61,9 +61,10 @@ public:
 class Simulation {
 public:
     /// Collective. Throws InputError on all ranks alike. comm, scene and stopwatch must outlive this.
-    Simulation(const partition::Communicator& comm, const scene::Scene& scene, dynamics::Stopwatch& stopwatch);
+    Simulation(const partition::Communicator& comm, const scene::Scene& scene, scene::CertifiedStep certified,
+               dynamics::Stopwatch& stopwatch);
 
-    /// From now on each coat is audited (see partition/audit.hpp). Collective.
+    /// From now on each coat is audited: the exchange (partition/audit.hpp), the map and the surface. Collective.
     void enable_audit();
 
     /// From the start to the end of the scene. Collective. Throws InvalidRun on all ranks alike.
@@ -88,6 +89,7 @@ private:
     void check_motion(Observer& observer);
     void modify_coat(Observer& observer);
     void bring_coat_up_to_date(Observer& observer);
+    void audit_coat() const;
 
     const partition::Communicator* comm_;
     const scene::Scene* scene_;

@@ -27,11 +27,11 @@ std::string range_text(const forecast::Range& range) {
     return intact == broken ? intact : intact + " if nothing breaks, " + broken + " if all of it breaks at once";
 }
 
-std::string counts_line(const scene::Scene& scene) {
-    const io::Summary::Counts n = scene::scene_counts(scene);
+std::string counts_line(const ProblemCounts& n) {
     return grouped(n.entities) + " entities, " + grouped(n.masses) + " masses in " + grouped(n.unions) +
            " Mass-unions, " + grouped(n.interactions) + " interactions, " + grouped(n.duplets) + " duplets, " +
-           grouped(n.darts) + " darts";
+           grouped(n.darts) + " darts" +
+           (n.notched_faces == 0 ? "" : "; notches open " + grouped(n.notched_faces) + " interior faces");
 }
 
 std::string step_line(const scene::Scene& scene, const scene::CertifiedStep& c) {
@@ -66,14 +66,14 @@ std::string output_line(const forecast::OutputForecast& output) {
 
 std::vector<std::string> overview(const scene::Scene& scene, const scene::CertifiedStep& certified, int ranks,
                                   const forecast::Forecast& forecast) {
-    return {counts_line(scene), step_line(scene, certified), ranks_line(ranks, forecast), memory_line(forecast),
-            output_line(forecast.output)};
+    return {counts_line(forecast.counts), step_line(scene, certified), ranks_line(ranks, forecast),
+            memory_line(forecast), output_line(forecast.output)};
 }
 
 std::vector<std::string> dry_run_lines(const forecast::Forecast& forecast, bool built) {
     std::vector<std::string> lines;
     if (forecast.output.per_face > 0) {
-        lines.push_back("output grows with the crack: each interface that opens adds " +
+        lines.push_back("output grows with the crack: each interior face that opens adds " +
                         grouped(forecast.output.per_face) + " bytes to the frames of each later time");
     }
     if (!built) {

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <span>
 #include <utility>
 
+#include "core/text.hpp"
+#include "geometry/boundary.hpp"
 #include "topology/construct.hpp"
 #include "topology/modify.hpp"
+#include "topology/validity.hpp"
 
 namespace cracksim::surface {
 
@@ -54,20 +56,48 @@ void append_corners(LocalEntity e, unsigned faces, std::vector<LocalMass>& corne
     }
 }
 
+/// The map of this rank's entities as far as their unions hold them together. Of faces between halo entities their owners know.
+/// Collective.
+topology::GMap map_of(const Block& block, const partition::Decomposition& decomposition, const partition::Halo& halo,
+                      const physics::Unions& unions) {
+    topology::GMap map = topology::construct(block, decomposition.entities.span());
+    topology::unsew_parted(map, [&](LocalMass a, LocalMass b) { return unions.part(a) == unions.part(b); });
+    std::vector<std::uint8_t> masks;
+    masks.reserve(decomposition.entities.size());
+    for (LocalEntity e{0}; e.value() < map.entity_count(); ++e) {
+        masks.push_back(map.sewn_mask(e));
+    }
+    halo.update<std::uint8_t>(masks);
+    for (LocalEntity e{0}; e.value() < map.entity_count(); ++e) {
+        map.set_sewn_mask(e, masks[e.index()]);
+    }
+    return map;
+}
+
+geometry::SharedUnions shared_unions(const partition::Decomposition& decomposition, const physics::Unions& unions) {
+    geometry::SharedUnions shared{decomposition.entities.size() * Hexahedron::corners};
+    std::vector<LocalMass> masses;
+    unions.for_each_advanced_union([&](physics::LocalUnion s) {
+        unions.masses(s, masses);
+        shared.set(masses);
+    });
+    return shared;
+}
+
 }  // namespace
 
 Coat::Coat(const partition::Communicator& comm, const Block& block, const partition::Decomposition& decomposition,
-           geometry::SharedUnions unions)
+           const physics::Unions& unions)
     : comm_{&comm},
       decomposition_{&decomposition},
       block_{block},
       halo_{comm, decomposition},
-      map_{topology::construct(block, decomposition.entities.span())},
-      unions_{std::move(unions)},
+      map_{map_of(block, decomposition, halo_, unions)},
+      unions_{shared_unions(decomposition, unions)},
       search_{decomposition.entities.size()},
       components_{comm, decomposition, halo_, SewnFaces{map_, decomposition}},
       fragments_{comm, decomposition, halo_, unions_},
-      surface_{map_, decomposition.owned.span()} {}
+      surface_{map_, decomposition.owned.span(), [](LocalEntity, int) { return 0.0; }} {}
 
 void Coat::modify(const physics::SplitStream& splits) {
     if (comm_->sum(static_cast<std::int64_t>(splits.size())) == 0) {
@@ -182,6 +212,40 @@ std::vector<geometry::LabelSize> Coat::largest_fragments(std::size_t count) cons
     std::ranges::stable_sort(all, [](const auto& a, const auto& b) { return a.entities > b.entities; });
     all.resize(std::min(all.size(), count));
     return all;
+}
+
+std::optional<std::string> Coat::find_fault(const physics::Unions& unions, const physics::Evolution& evolution) const {
+    const auto shares_union = [&](LocalMass a, LocalMass b) { return unions.part(a) == unions.part(b); };
+    const auto is_owned = [&](LocalEntity e, int) { return decomposition_->owned[e] != 0; };
+    IdArray<LocalEntity, EntityId> component(decomposition_->entities.size());
+    for (LocalEntity e{0}; e.index() < component.size(); ++e) {
+        component[e] = decomposition_->owned[e] != 0 ? components_.id(e) : EntityId{};
+    }
+    halo_.update(component.span());
+    const auto faces = geometry::free_faces(map_, decomposition_->owned.span());
+    std::optional<std::string> fault = topology::validate(map_);
+    fault = fault ? fault : topology::validate_sewing(map_, is_owned, shares_union);
+    fault = fault ? fault : geometry::validate_closure(map_, faces, component);
+    fault = comm_->first(fault);
+    return fault ? fault : find_open_boundary(faces, component, evolution);
+}
+
+std::optional<std::string> Coat::find_open_boundary(std::span<const geometry::FreeFace> faces,
+                                                    const IdArray<LocalEntity, EntityId>& component,
+                                                    const physics::Evolution& evolution) const {
+    constexpr double rounding = 1e-9;
+    std::map<EntityId, geometry::BoundaryMeasure> all;
+    const auto here = geometry::measure_boundaries(faces, component, evolution, block_.origin());
+    for (const geometry::BoundaryMeasure& part : comm_->gather_on_all<geometry::BoundaryMeasure>(here)) {
+        all.try_emplace(part.label, geometry::BoundaryMeasure{part.label, {}, 0, 0}).first->second += part;
+    }
+    for (const auto& [id, boundary] : all) {
+        if (!(boundary.open_part() < rounding)) {
+            return "the boundary of component " + std::to_string(id.value()) +
+                   " is not closed: its area vectors add up to " + rounded(boundary.open_part(), 3) + " of its area";
+        }
+    }
+    return std::nullopt;
 }
 
 std::size_t Coat::memory_bytes() const {

@@ -2,21 +2,27 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "core/block.hpp"
 #include "core/id_array.hpp"
+#include "geometry/free_faces.hpp"
 #include "geometry/measures.hpp"
 #include "geometry/shared_unions.hpp"
 #include "partition/communicator.hpp"
 #include "partition/decomposition.hpp"
 #include "partition/halo.hpp"
 #include "physics/events.hpp"
+#include "physics/evolution.hpp"
+#include "physics/state/unions.hpp"
 #include "surface/global_components.hpp"
 #include "surface/local_surface.hpp"
 #include "topology/changes.hpp"
-#include "topology/gmap.hpp"
 #include "topology/connectivity/replacement_edge_search.hpp"
+#include "topology/gmap.hpp"
 
 namespace cracksim::surface {
 
@@ -24,9 +30,10 @@ namespace cracksim::surface {
 /// entities, components and fragments. After the start its cost follows the splits, not the block.
 class Coat {
 public:
-    /// unions: the starting unions. Collective. comm and decomposition must outlive this.
+    /// Of the unions as they are: a face is open from the start where a corner pair shares none. Collective. comm and
+    /// decomposition must outlive this.
     Coat(const partition::Communicator& comm, const Block& block, const partition::Decomposition& decomposition,
-         geometry::SharedUnions unions);
+         const physics::Unions& unions);
     Coat(const Coat&) = delete;
     Coat& operator=(const Coat&) = delete;
 
@@ -51,9 +58,16 @@ public:
     /// The largest fragments over all ranks, largest first, on the root; ties by id. Collective.
     [[nodiscard]] std::vector<geometry::LabelSize> largest_fragments(std::size_t count) const;
 
+    /// Checks the axioms of the map, its faces against the unions, and that the boundaries of components are closed. Returns the first
+    /// fault, the same on all ranks; none: all is well. Collective.
+    [[nodiscard]] std::optional<std::string> find_fault(const physics::Unions& unions,
+                                                        const physics::Evolution& evolution) const;
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
+    [[nodiscard]] std::optional<std::string> find_open_boundary(std::span<const geometry::FreeFace> faces,
+                                                                const IdArray<LocalEntity, EntityId>& component,
+                                                                const physics::Evolution& evolution) const;
     void count_opened(const topology::Changes& changes);
     /// The corners of the faces that are open now between halo entities, as their owners tell.
     [[nodiscard]] std::vector<LocalMass> share_masks(const topology::Changes& changes);

@@ -193,7 +193,9 @@ void GatheredSurface::measure_openings() {
 void GatheredSurface::measure_opening(std::int32_t face, std::int32_t other) {
     const std::int64_t key = face_keys_[static_cast<std::size_t>(face)];
     const auto link = block_.neighbour(EntityId{key / Hexahedron::faces}, static_cast<int>(key % Hexahedron::faces));
-    const auto met = [&](std::size_t k) { return (static_cast<std::size_t>(link->rotation) + corners - k) % corners; };
+    const auto met = [&](std::size_t k) {
+        return static_cast<std::size_t>(place_met(link->rotation, static_cast<int>(k)));
+    };
     const auto point = [&](std::int32_t of, std::size_t k) {
         return surface_
             .points[static_cast<std::size_t>(surface_.connectivity[static_cast<std::size_t>(of) * corners + k])];

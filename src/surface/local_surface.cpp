@@ -9,13 +9,14 @@ namespace cracksim::surface {
 
 using topology::Cell;
 
-LocalSurface::LocalSurface(const topology::GMap& map, std::span<const std::uint8_t> owned)
+LocalSurface::LocalSurface(const topology::GMap& map, std::span<const std::uint8_t> owned,
+                           const std::function<double(LocalEntity, int)>& opened_at)
     : owned_{owned}, last_face_(owned.size(), -1), met_{owned.size()} {
     CRACKSIM_EXPECT(static_cast<std::int32_t>(owned.size()) == map.entity_count());
     for (LocalEntity e{0}; e.value() < map.entity_count(); ++e) {
         for (int f = 0; owned[e.index()] != 0 && f < Cell::faces; ++f) {
             if (!map.is_sewn(e, f)) {
-                touch(e, f);
+                touch(e, f).opened_at = map.link(e, f).is_boundary() ? -1.0 : opened_at(e, f);
             }
         }
     }

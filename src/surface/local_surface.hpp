@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -24,8 +25,9 @@ public:
         double opened_at;        ///< s; -1 on the original boundary
     };
 
-    /// owned must outlive this.
-    LocalSurface(const topology::GMap& map, std::span<const std::uint8_t> owned);
+    /// opened_at(entity, face): when a free face that is not on the original boundary opened, s. owned must outlive this.
+    LocalSurface(const topology::GMap& map, std::span<const std::uint8_t> owned,
+                 const std::function<double(LocalEntity, int)>& opened_at);
 
     /// A face was unsewn; update() must follow with its corners.
     void open(LocalEntity entity, int face, double time);

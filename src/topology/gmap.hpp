@@ -60,8 +60,7 @@ private:
 
 /// The corner that corner k of a face was sewn to at construction. Requires a local link.
 [[nodiscard]] constexpr LocalMass corner_met(FaceLink link, int k) {
-    return local_mass(link.entity(), Cell::corner_in_cycle(
-                                         link.face(), (link.rotation() - k + Cell::face_corners) % Cell::face_corners));
+    return local_mass(link.entity(), Cell::corner_in_cycle(link.face(), place_met(link.rotation(), k)));
 }
 
 }  // namespace cracksim::topology

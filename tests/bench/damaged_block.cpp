@@ -61,10 +61,10 @@ std::vector<LocalDuplet> parting_duplets(const physics::Network& network, const 
     std::vector<LocalDuplet> found;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interior_faces().size()); ++i) {
         const physics::InteriorFace& shared = network.interior_faces()[static_cast<std::size_t>(i)];
-        for (int k = 0; k < physics::Network::duplets_per_face; ++k) {
+        for (int k = 0; k < physics::duplets_per_face; ++k) {
             const auto v = lattice.vertex(local_mass(shared.a, shared.corner_a(k)));
             if (share == 1 || axis_at[v.index()] == shared.face_a / 2) {
-                found.emplace_back(i * physics::Network::duplets_per_face + k);
+                found.emplace_back(i * physics::duplets_per_face + k);
             }
         }
     }

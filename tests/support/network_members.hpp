@@ -13,7 +13,7 @@ namespace cracksim::test {
 [[nodiscard]] inline std::vector<physics::LocalDuplet> all_duplets(const physics::Network& network) {
     std::vector<physics::LocalDuplet> all;
     const auto interior_faces = static_cast<std::int32_t>(network.interior_faces().size());
-    for (std::int32_t d = 0; d < interior_faces * physics::Network::duplets_per_face; ++d) {
+    for (std::int32_t d = 0; d < interior_faces * physics::duplets_per_face; ++d) {
         all.emplace_back(d);
     }
     return all;

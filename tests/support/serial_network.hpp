@@ -17,7 +17,7 @@ struct SerialBlock {
     double corner_mass{0.125};
     physics::KelvinVoigt edges{0.2, 0.04};
     physics::KelvinVoigt diagonals{0.3, 0.06};
-    physics::Duplets duplets{physics::Duplets::corners};
+    physics::DupletKind duplets{physics::DupletKind::corners};
     physics::Thresholds thresholds{[](Vec3) { return 0.02; }, std::nullopt};
     std::vector<physics::Support> supports{};
 

@@ -23,8 +23,8 @@ Bfloat16 EdgeLimits::lowest_in(std::size_t half) const {
     for (int edge = 0; edge < HexahedronPairs::edges; ++edge) {
         const std::size_t first = place(Site{static_cast<std::int32_t>(half * Lattice::half)}, edge);
         for (std::size_t lane = 0; lane < Lattice::half; ++lane) {
-            lowest = std::min(lowest, by_edge_[first + lane],
-                              [](Bfloat16 a, Bfloat16 b) { return a.value() < b.value(); });
+            lowest =
+                std::min(lowest, by_edge_[first + lane], [](Bfloat16 a, Bfloat16 b) { return a.value() < b.value(); });
         }
     }
     return lowest;

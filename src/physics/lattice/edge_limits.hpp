@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "physics/lattice/bfloat16.hpp"
 #include "physics/problem/entity_model.hpp"
 #include "physics/problem/lattice.hpp"
-#include "physics/lattice/bfloat16.hpp"
 
 namespace cracksim::physics {
 

@@ -17,11 +17,12 @@ InteractionConstants<Real> constants(const EntityModel& model, std::size_t kind,
     }
     const double squared = model.rest_length[i] * model.rest_length[i];
     return {real(1 / squared), real(model.interaction[i].stiffness),
-            real(model.interaction[i].viscosity / (dt * squared)), real(0.5 * model.interaction[i].stiffness * squared)};
+            real(model.interaction[i].viscosity / (dt * squared)),
+            real(0.5 * model.interaction[i].stiffness * squared)};
 }
 
 template <class Real>
-SweepView<Real> inputs_of(const Network& network, const State& state) {
+SweepView<Real> inputs_of(const Network& network, const State& state, const LatticeCaches& caches) {
     SweepView<Real> v{};
     for (std::size_t kind = 0; kind < v.kind.size(); ++kind) {
         v.kind[kind] = constants<Real>(network.model(), kind, state.step_size);
@@ -30,24 +31,24 @@ SweepView<Real> inputs_of(const Network& network, const State& state) {
         v.edge[axis] = static_cast<Real>(network.model().rest_corner[6][axis]);
     }
     v.velocity_quantity = state.velocity_quantity();
-    v.pooled_of_half = state.pooled.index();
-    v.pooled = state.pooled.halves();
-    v.multiplicities = state.shared_edges.multiplicities();
-    v.represented = state.shared_edges.represented();
-    v.limits = state.sensing.limits.by_edge();
-    v.lowest_limit = state.sensing.limits.lowest();
+    v.pooled_of_half = caches.pooled.index();
+    v.pooled = caches.pooled.halves();
+    v.multiplicities = caches.shared_edges.multiplicities();
+    v.represented = caches.shared_edges.represented();
+    v.limits = caches.limits.by_edge();
+    v.lowest_limit = caches.limits.lowest();
     return v;
 }
 
 template <class Real>
-SweepView<Real> view_of(const Network& network, State& state) {
-    SweepView<Real> v = inputs_of<Real>(network, state);
+SweepView<Real> view_of(const Network& network, State& state, LatticeCaches& caches) {
+    SweepView<Real> v = inputs_of<Real>(network, state, caches);
     auto& numbers = state.motion.in<Real>();
     v.base = numbers.base();
     v.base_stride = state.motion.base_stride();
     v.pool = numbers.pool();
     v.pool_stride = state.motion.pool_stride();
-    v.exceeded = state.sensing.exceeded.data();
+    v.exceeded = caches.exceeded.data();
     return v;
 }
 
@@ -62,7 +63,7 @@ RowView view_of(const Lattice::CellRow& row) {
 }
 
 template <class Real>
-EntityForces forces_of(const Network& network, const State& state, std::span<const LocalEntity> entities) {
+GatheredEntities<Real> gather(const State& state, std::span<const LocalEntity> entities) {
     GatheredEntities<Real> gathered{};
     for (std::size_t lane = 0; lane < entities.size(); ++lane) {
         for (int c = 0; c < Hexahedron::corners; ++c) {
@@ -75,63 +76,52 @@ EntityForces forces_of(const Network& network, const State& state, std::span<con
             }
         }
     }
-    sweep_entities(inputs_of<Real>(network, state), gathered);
-    EntityForces found{};
+    return gathered;
+}
+
+template <class Real>
+void find_forces(const Network& network, const State& state, const LatticeCaches& caches,
+                 std::span<const LocalEntity> entities, std::span<CornerForces> found) {
+    GatheredEntities<Real> gathered = gather<Real>(state, entities);
+    sweep_entities(inputs_of<Real>(network, state, caches), gathered);
     for (std::size_t lane = 0; lane < entities.size(); ++lane) {
         for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
             found[lane][c] = {gathered.force[0][c][lane], gathered.force[1][c][lane], gathered.force[2][c][lane]};
         }
     }
-    return found;
 }
 
-std::variant<SweepView<double>, SweepView<float>> any_view_of(const Network& network, State& state) {
+std::variant<SweepView<double>, SweepView<float>> any_view_of(const Network& network, State& state,
+                                                              LatticeCaches& caches) {
     if (state.motion.precision() == Precision::binary32) {
-        return view_of<float>(network, state);
+        return view_of<float>(network, state, caches);
     }
-    return view_of<double>(network, state);
+    return view_of<double>(network, state, caches);
 }
 
 }  // namespace
 
-ForceSweep::ForceSweep(const Network& network, State& state, Measure measure)
-    : state_{&state}, measure_{measure}, view_{any_view_of(network, state)} {}
+ForceSweep::ForceSweep(const Network& network, State& state, LatticeCaches& caches, Measure measure)
+    : lattice_{&state.lattice()}, measure_{measure}, view_{any_view_of(network, state, caches)} {}
 
 void ForceSweep::sweep_row(std::size_t row) {
-    const RowView row_view = view_of(state_->lattice().cell_rows()[row]);
-    std::visit([&](auto& view) { physics::sweep_row(view, row_view, measure_); }, view_);
+    const RowView row_view = view_of(lattice_->cell_rows()[row]);
+    const bool measured = measure_ == Measure::elastic_energy;
+    std::visit([&](auto& view) { physics::sweep_row(view, row_view, measured); }, view_);
 }
 
-void ForceSweep::finish() {
-    State& state = *state_;
-    const auto [dissipated, elastic] = std::visit(
-        [](const auto& view) {
-            return std::array{view.dissipated, view.elastic};
-        },
-        view_);
-    if (measure_ == Measure::elastic_energy) {
-        state.elastic = elastic;
-    }
-    if (state.step > 0 && state.step == state.last_sweep + 1) {
-        state.dissipated += 0.5 * (state.last_dissipation + dissipated);
-    }
-    state.last_dissipation = dissipated;
-    state.last_sweep = state.step;
+Swept ForceSweep::found() const {
+    return std::visit([](const auto& view) { return Swept{view.dissipated, view.elastic, std::nullopt}; }, view_);
 }
 
-void accumulate_forces(const Network& network, State& state, Measure measure) {
-    state.motion.clear_forces();
-    ForceSweep sweep{network, state, measure};
-    for (std::size_t row = 0; row < state.lattice().cell_rows().size(); ++row) {
-        sweep.sweep_row(row);
+void find_corner_forces(const Network& network, const State& state, const LatticeCaches& caches,
+                        std::span<const LocalEntity> entities, std::span<CornerForces> found) {
+    CRACKSIM_EXPECT(entities.size() <= Lattice::lanes && found.size() == entities.size());
+    if (state.motion.precision() == Precision::binary32) {
+        find_forces<float>(network, state, caches, entities, found);
+    } else {
+        find_forces<double>(network, state, caches, entities, found);
     }
-    sweep.finish();
-}
-
-EntityForces entity_forces(const Network& network, const State& state, std::span<const LocalEntity> entities) {
-    CRACKSIM_EXPECT(entities.size() <= Lattice::lanes);
-    return state.motion.precision() == Precision::binary32 ? forces_of<float>(network, state, entities)
-                                                           : forces_of<double>(network, state, entities);
 }
 
 }  // namespace cracksim::physics

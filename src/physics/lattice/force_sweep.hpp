@@ -1,9 +1,10 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <variant>
 
+#include "physics/engine.hpp"
+#include "physics/lattice/caches.hpp"
 #include "physics/lattice/sweep/sweep_view.hpp"
 #include "physics/problem/network.hpp"
 #include "physics/state/state.hpp"
@@ -19,28 +20,21 @@ namespace cracksim::physics {
 class ForceSweep {
 public:
     /// Keeps references; for one sweep.
-    ForceSweep(const Network& network, State& state, Measure measure);
+    ForceSweep(const Network& network, State& state, LatticeCaches& caches, Measure measure);
 
+    /// On the way marks the edges that are stretched beyond their limits in the caches.
     void sweep_row(std::size_t row);
-    /// Dissipated and, if measured, elastic energy to the state.
-    void finish();
+    /// The energies of the owned entities in the rows so far.
+    [[nodiscard]] Swept found() const;
 
 private:
-    State* state_;
+    const Lattice* lattice_;
     Measure measure_;
     std::variant<SweepView<double>, SweepView<float>> view_;
 };
 
-/// Forces of all local entities, owned and halo alike, at the current state: state.force. On the way it marks the edges
-/// that are stretched enough for a sensor to trigger (state.sensing.exceeded), keeps state.dissipated up to date for the
-/// owned entities and, if asked, sets state.elastic.
-void accumulate_forces(const Network& network, State& state, Measure measure);
-
-/// Of some entities, by corner, N.
-using EntityForces = std::array<std::array<Vec3, Hexahedron::corners>, Lattice::lanes>;
-
-/// The forces on the masses of some entities (up to Lattice::lanes), each from all 16 interactions of its entity.
-[[nodiscard]] EntityForces entity_forces(const Network& network, const State& state,
-                                         std::span<const LocalEntity> entities);
+/// Engine::corner_forces on the lattice.
+void find_corner_forces(const Network& network, const State& state, const LatticeCaches& caches,
+                        std::span<const LocalEntity> entities, std::span<CornerForces> found);
 
 }  // namespace cracksim::physics

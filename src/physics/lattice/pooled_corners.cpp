@@ -14,8 +14,9 @@ void add_corner(const Unions& unions, const Motion& motion, std::size_t half, st
                 PooledCorners& found) {
     for (std::size_t lane = 0; lane < Lattice::half; ++lane) {
         const LocalEntity e = unions.lattice().entity(Site{static_cast<std::int32_t>(half * Lattice::half + lane)});
-        const PoolPlace place =
-            e == LocalEntity{} ? PoolPlace{} : motion.pool_place(unions.union_of(local_mass(e, static_cast<int>(corner))));
+        const PoolPlace place = e == LocalEntity{}
+                                    ? PoolPlace{}
+                                    : motion.pool_place(unions.union_of(local_mass(e, static_cast<int>(corner))));
         if (place == PoolPlace{}) {
             continue;
         }

@@ -28,7 +28,9 @@ void ReceivedUnions::update(const Network& network, const Unions& unions, std::s
     std::vector<std::size_t> rows;
     rows.reserve(vertices.size());
     for (const VertexSite v : vertices) {
-        rows.push_back(row_of(unions, v));
+        if (!unions.is_touched(v)) {
+            rows.push_back(row_of(unions, v));
+        }
     }
     sort_and_make_unique(rows);
     for (const std::size_t row : rows) {

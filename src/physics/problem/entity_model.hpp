@@ -5,16 +5,9 @@
 
 #include "core/hexahedron.hpp"
 #include "core/vec3.hpp"
+#include "physics/interaction.hpp"
 
 namespace cracksim::physics {
-
-/// Stiffness in N/m and viscosity in N s/m of a visco-elastic interaction.
-struct KelvinVoigt {
-    double stiffness{0};
-    double viscosity{0};
-
-    friend bool operator==(const KelvinVoigt&, const KelvinVoigt&) = default;
-};
 
 /// The interactions of a hexahedron as pairs of corners: four edges along x, four along y, four along z, four diagonals.
 struct HexahedronPairs {

@@ -2,32 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/contracts.hpp"
 #include "core/text.hpp"
 
 namespace cracksim::physics {
 
-bool Support::holds(Vec3 p) const {
-    return p.x >= box[0].x && p.x <= box[1].x && p.y >= box[0].y && p.y <= box[1].y && p.z >= box[0].z &&
-           p.z <= box[1].z;
-}
-
-Network::Network(const Block& block, const EntityModel& model, IdArray<LocalEntity, EntityId> entities,
-                 IdArray<LocalEntity, std::uint8_t> owned, Duplets duplets, const Thresholds& thresholds,
-                 std::vector<Support> supports)
-    : block_{block},
-      model_{model},
-      entities_{std::move(entities)},
-      owned_{std::move(owned)},
-      lattice_{std::make_shared<const Lattice>(block, entities_)},
-      supports_{std::move(supports)} {
+Network::Network(NetworkParts parts)
+    : block_{parts.block},
+      model_{parts.model},
+      entities_{std::move(parts.entities)},
+      owned_{std::move(parts.owned)},
+      lattice_{std::make_shared<const Lattice>(block_, entities_)},
+      supports_{std::move(parts.supports)},
+      interior_faces_{block_, entities_},
+      duplets_{interior_faces_.size()} {
     CRACKSIM_EXPECT(std::ranges::is_sorted(entities_.span()) && owned_.size() == entities_.size());
     find_received();
-    find_interior_faces();
-    find_duplets(duplets);
-    set_thresholds(thresholds);
+    find_notched_faces(parts.notches);
+    find_duplets(parts.duplets);
+    set_thresholds(parts.thresholds);
 }
 
 void Network::find_received() {
@@ -40,27 +34,26 @@ void Network::find_received() {
     received_.shrink_to_fit();
 }
 
-void Network::find_interior_faces() {
-    interior_face_of_face_.assign(entities_.size() * Hexahedron::faces, -1);
-    for (LocalEntity a{0}; a.value() < entity_count(); ++a) {
-        for (int face = 0; face < Hexahedron::faces; ++face) {
-            const auto other = block_.neighbour(entities_[a], face);
-            if (!other || other->entity < entities_[a]) {
-                continue;
-            }
-            const auto found = find_local(entities_, other->entity);
-            if (!found) {
-                continue;
-            }
-            const LocalEntity b = *found;
-            const auto index = static_cast<std::int32_t>(interior_faces_.size());
-            interior_face_of_face_[a.index() * Hexahedron::faces + static_cast<std::size_t>(face)] = index;
-            interior_face_of_face_[b.index() * Hexahedron::faces + static_cast<std::size_t>(other->face)] = index;
-            interior_faces_.push_back({a, b, static_cast<std::uint8_t>(face), static_cast<std::uint8_t>(other->face),
-                                   static_cast<std::uint8_t>(other->rotation)});
+void Network::find_notched_faces(const std::vector<Notch>& notches) {
+    faces_of_notches_.assign(notches.size(), 0);
+    for (std::int32_t f = 0; !notches.empty() && f < static_cast<std::int32_t>(interior_faces_.size()); ++f) {
+        const InteriorFace& face = interior_faces_[f];
+        const Vec3 from = block_.centre(entities_[face.a]);
+        const Vec3 to = block_.centre(entities_[face.b]);
+        bool is_crossed = false;
+        for (std::size_t n = 0; n < notches.size(); ++n) {
+            const bool crosses = notches[n].surface.crosses(from, to);
+            faces_of_notches_[n] += crosses && owned(face.a) ? 1 : 0;
+            is_crossed = is_crossed || crosses;
+        }
+        if (is_crossed) {
+            notched_faces_.push_back(f);
         }
     }
-    interior_faces_.shrink_to_fit();
+}
+
+bool Network::is_notched(std::int32_t interior_face) const {
+    return std::ranges::binary_search(notched_faces_, interior_face);
 }
 
 std::optional<Tie> Network::tie_over(LocalMass m, int face) const {
@@ -68,47 +61,52 @@ std::optional<Tie> Network::tie_over(LocalMass m, int face) const {
     if (!duplet) {
         return std::nullopt;
     }
-    const InteriorFace& shared = interior_faces_[duplet->index() / duplets_per_face];
-    const int k = duplet->value() % duplets_per_face;
-    return Tie{*duplet, shared.a == entity_of(m) ? local_mass(shared.b, shared.corner_b(k))
-                                                 : local_mass(shared.a, shared.corner_a(k))};
+    const auto [a, b] = masses_of(*duplet);
+    return Tie{*duplet, a == m ? b : a};
 }
 
-void Network::find_duplets(Duplets duplets) {
-    touched_duplets_.assign(interior_faces_.size(), 0);
-    for_each_union([&](std::span<const LocalMass> masses) {
-        if (duplets == Duplets::tree) {
-            add_tree(masses);
+void Network::find_duplets(DupletKind kind) {
+    std::vector<LocalMass> reached;
+    for_each_touched_vertex([&](std::span<const LocalMass> masses) {
+        if (kind == DupletKind::corners) {
+            add_ties(masses);
             return;
         }
+        reached.clear();
         for (const LocalMass m : masses) {
-            for (int face = 0; face < Hexahedron::faces; ++face) {
-                if (const auto tie = tie_over(m, face)) {
-                    add_duplet(tie->duplet);
-                }
+            if (std::ranges::find(reached, m) == reached.end()) {
+                add_tree(m, reached);
             }
         }
     });
 }
 
-void Network::add_duplet(LocalDuplet duplet) {
-    auto& places = touched_duplets_[duplet.index() / duplets_per_face];
-    places = static_cast<std::uint8_t>(places | (1U << duplet.index() % duplets_per_face));
+void Network::add_ties(std::span<const LocalMass> masses) {
+    for (const LocalMass m : masses) {
+        for (int face = 0; face < Hexahedron::faces; ++face) {
+            const auto duplet = duplet_over(m, face);
+            if (duplet && !is_notched(interior_face_of(*duplet))) {
+                duplets_.insert(*duplet);
+            }
+        }
+    }
 }
 
-void Network::add_tree(std::span<const LocalMass> masses) {
-    std::vector<LocalMass> reached{masses.front()};
-    for (std::size_t next = 0; next < reached.size(); ++next) {
+void Network::add_tree(LocalMass root, std::vector<LocalMass>& reached) {
+    std::size_t next = reached.size();
+    reached.push_back(root);
+    for (; next < reached.size(); ++next) {
         std::vector<Tie> ties;
         for (int face = 0; face < Hexahedron::faces; ++face) {
             const auto tie = tie_over(reached[next], face);
-            if (tie && std::ranges::find(reached, tie->mass) == reached.end()) {
+            if (tie && !is_notched(interior_face_of(tie->duplet)) &&
+                std::ranges::find(reached, tie->mass) == reached.end()) {
                 ties.push_back(*tie);
             }
         }
         std::ranges::sort(ties, {}, &Tie::mass);
         for (const Tie& tie : ties) {
-            add_duplet(tie.duplet);
+            duplets_.insert(tie.duplet);
             reached.push_back(tie.mass);
         }
     }
@@ -116,27 +114,21 @@ void Network::add_tree(std::span<const LocalMass> masses) {
 
 void Network::set_thresholds(const Thresholds& thresholds) {
     bool is_first = true;
-    for (std::size_t i = 0; i < interior_faces_.size(); ++i) {
-        for (int k = 0; k < duplets_per_face; ++k) {
-            if (!has_touched_duplet(static_cast<std::int32_t>(i), k)) {
-                continue;
-            }
-            const LocalMass a = local_mass(interior_faces_[i].a, interior_faces_[i].corner_a(k));
-            const LocalMass b = local_mass(interior_faces_[i].b, interior_faces_[i].corner_b(k));
-            const Vec3 at = rest_position(a);
-            const double value = thresholds.of(mass(a), mass(b), at);
-            set_threshold(LocalDuplet{static_cast<std::int32_t>(i) * duplets_per_face + k}, value, is_first);
-            is_first = false;
-            if (!(value > 0) && !invalid_threshold_) {
-                invalid_threshold_ = "the threshold at x = " + rounded(at.x, 6) + ", y = " + rounded(at.y, 6) +
-                                     ", z = " + rounded(at.z, 6) + " m is " +
-                                     (std::isnan(value) ? "not a number" : rounded(value, 6));
-            }
+    duplets_.for_each([&](LocalDuplet d) {
+        const auto [a, b] = masses_of(d);
+        const Vec3 at = rest_position(a);
+        const double value = thresholds.of(mass(a), mass(b), at);
+        set_threshold(d, value, is_first);
+        is_first = false;
+        if (!(value > 0) && !invalid_threshold_) {
+            invalid_threshold_ = "the threshold at x = " + rounded(at.x, 6) + ", y = " + rounded(at.y, 6) +
+                                 ", z = " + rounded(at.z, 6) + " m is " +
+                                 (std::isnan(value) ? "not a number" : rounded(value, 6));
         }
-    }
+    });
 }
 
-/// In ascending order. Most blocks have one threshold: a list is made when there is a second one.
+/// In ascending order of duplets. Most blocks have one threshold: a list is made when there is a second one.
 void Network::set_threshold(LocalDuplet duplet, double threshold, bool is_first) {
     if (is_first) {
         uniform_threshold_ = threshold;
@@ -149,9 +141,9 @@ void Network::set_threshold(LocalDuplet duplet, double threshold, bool is_first)
 }
 
 std::size_t Network::memory_bytes() const {
-    return entities_.bytes() + owned_.bytes() + interior_faces_.capacity() * sizeof(InteriorFace) +
-           interior_face_of_face_.capacity() * sizeof(std::int32_t) + threshold_.capacity() * sizeof(double) +
-           touched_duplets_.capacity() + lattice_->memory_bytes() + received_.capacity() * sizeof(LocalMass);
+    return entities_.bytes() + owned_.bytes() + interior_faces_.memory_bytes() +
+           notched_faces_.capacity() * sizeof(std::int32_t) + threshold_.capacity() * sizeof(double) +
+           duplets_.memory_bytes() + lattice_->memory_bytes() + received_.capacity() * sizeof(LocalMass);
 }
 
 }  // namespace cracksim::physics

@@ -2,13 +2,9 @@
 
 #include <algorithm>
 
-#include "core/text.hpp"
-
 namespace cracksim::physics {
 
 namespace {
-
-constexpr const char* axis_name = "xyz";
 
 HeldUnion held_at(const Network& network, LocalUnion s, Vec3 rest) {
     HeldUnion held{s, rest, {-1, -1, -1}};
@@ -23,76 +19,34 @@ HeldUnion held_at(const Network& network, LocalUnion s, Vec3 rest) {
     return held;
 }
 
-std::optional<std::string> conflict_at(const Network& network, LocalMass m) {
-    std::array<const Support*, 3> holder{};
-    const Vec3 rest = network.rest_position(m);
-    for (const Support& support : network.supports()) {
-        for (std::size_t axis = 0; axis < 3 && support.holds(rest); ++axis) {
-            if (!support.velocity[axis]) {
-                continue;
-            }
-            if (holder[axis] != nullptr) {
-                return "supports '" + holder[axis]->name + "' and '" + support.name +
-                       "' both prescribe the velocity along " + axis_name[axis] + " of mass " +
-                       std::to_string(network.mass(m).value()) + " at x = " + rounded(rest.x, 6) +
-                       ", y = " + rounded(rest.y, 6) + ", z = " + rounded(rest.z, 6) + " m";
-            }
-            holder[axis] = &support;
-        }
-    }
-    return std::nullopt;
-}
-
 }  // namespace
 
-std::vector<HeldUnion> find_held_unions(const Network& network, const Unions& unions) {
-    std::vector<HeldUnion> all;
+HeldUnions::HeldUnions(const Network& network, const Unions& unions) {
     if (network.supports().empty()) {
-        return all;
+        return;
     }
     unions.for_each_advanced([&](LocalUnion s, LocalMass smallest) {
         const HeldUnion held = held_at(network, s, network.rest_position(smallest));
         if (std::ranges::any_of(held.support, [](int support) { return support >= 0; })) {
-            all.push_back(held);
+            add(held);
         }
     });
-    return all;
 }
 
-std::optional<std::string> support_conflict(const Network& network) {
-    for (LocalMass m{0}; m.value() < network.mass_count() && network.supports().size() > 1; ++m) {
-        if (auto conflict = conflict_at(network, m)) {
-            return conflict;
-        }
-    }
-    return std::nullopt;
+void HeldUnions::add(const HeldUnion& held) {
+    place_[held.local_union] = all_.size();
+    all_.push_back(held);
 }
 
-namespace {
-
-/// A support's velocity at a time; before the start, where its expression need not make sense, by the line through its values at 0
-/// and as long after the start.
-double velocity_at(const std::function<double(Vec3, double)>& velocity, Vec3 rest, double t) {
-    return t >= 0 ? velocity(rest, t) : 2 * velocity(rest, 0) - velocity(rest, -t);
-}
-
-}  // namespace
-
-Vec3 prescribed(const Network& network, const State& state, LocalUnion s, Vec3 free, double offset) {
-    const auto found = state.held_of_slot.find(s);
-    if (found == state.held_of_slot.end()) {
-        return free;
+void HeldUnions::split(LocalUnion whole, std::span<const LocalUnion> parts) {
+    const std::size_t place = place_.at(whole);
+    const HeldUnion held = all_[place];
+    place_.erase(whole);
+    place_[parts.front()] = place;
+    all_[place].local_union = parts.front();
+    for (const LocalUnion part : parts.subspan(1)) {
+        add({part, held.rest, held.support});
     }
-    const HeldUnion& held = state.held[found->second];
-    const double t = (static_cast<double>(state.step) + offset) * state.step_size;
-    for (int axis = 0; axis < 3; ++axis) {
-        const int support = held.support[static_cast<std::size_t>(axis)];
-        if (support >= 0) {
-            const auto& velocity = network.supports()[static_cast<std::size_t>(support)].velocity;
-            free[axis] = state.step_size * velocity_at(velocity[static_cast<std::size_t>(axis)], held.rest, t);
-        }
-    }
-    return free;
 }
 
 }  // namespace cracksim::physics

@@ -8,10 +8,9 @@ namespace {
 Vec3 centred_increment(const State& state, LocalUnion s) {
     const Vec3 half_kick = 0.5 * state.dt2_over_mass(s) * state.force(s);
     Vec3 increment = state.increment(s);
-    const auto held = state.held.empty() ? state.held_of_slot.end() : state.held_of_slot.find(s);
+    const HeldUnion* held = state.held.empty() ? nullptr : state.held.find(s);
     for (int axis = 0; axis < 3; ++axis) {
-        const bool is_held =
-            held != state.held_of_slot.end() && state.held[held->second].support[static_cast<std::size_t>(axis)] >= 0;
+        const bool is_held = held != nullptr && held->support[static_cast<std::size_t>(axis)] >= 0;
         increment[axis] += is_held ? 0.0 : half_kick[axis];
     }
     return increment;

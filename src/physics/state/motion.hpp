@@ -22,7 +22,9 @@ using LocalUnion = Id<struct LocalUnionTag, std::int32_t>;
 constexpr int layers = 8;
 /// Holds the part with the vertex's smallest mass, and so every whole union but lone masses.
 constexpr int base_layer = 6;
-[[nodiscard]] constexpr LocalUnion local_union(VertexSite v, int layer) { return LocalUnion{v.value() * layers + layer}; }
+[[nodiscard]] constexpr LocalUnion local_union(VertexSite v, int layer) {
+    return LocalUnion{v.value() * layers + layer};
+}
 [[nodiscard]] constexpr VertexSite vertex_of(LocalUnion s) { return VertexSite{s.value() / layers}; }
 [[nodiscard]] constexpr int layer_of(LocalUnion s) { return s.value() % layers; }
 
@@ -124,8 +126,8 @@ public:
     }
     void set(LocalUnion s, std::size_t quantity, Vec3 value);
     [[nodiscard]] double dt2_over_mass(LocalUnion s) const {
-        return std::visit([&](const auto& numbers) -> double { return *place(numbers, s, Quantity::dt2_over_mass).first; },
-                          numbers_);
+        return std::visit(
+            [&](const auto& numbers) -> double { return *place(numbers, s, Quantity::dt2_over_mass).first; }, numbers_);
     }
     void set_dt2_over_mass(LocalUnion s, double value);
     /// All components of a union to another one, which has memory.

@@ -3,10 +3,34 @@
 #include <algorithm>
 
 #include "core/contracts.hpp"
+#include "core/sorted.hpp"
+#include "physics/state/parts.hpp"
 
 namespace cracksim::physics {
 
-Unions::Unions(const Network& network)
+namespace {
+
+/// The vertices at which some interior face has not all the duplets that a whole body has.
+std::vector<VertexSite> weakened_vertices(const Network& network, const DupletSet& active) {
+    std::vector<VertexSite> vertices;
+    const auto add = [&](LocalDuplet d) { vertices.push_back(network.lattice().vertex(network.masses_of(d)[0])); };
+    for (const std::int32_t face : network.notched_faces()) {
+        for (int k = 0; k < duplets_per_face; ++k) {
+            add(local_duplet(face, k));
+        }
+    }
+    network.duplets().for_each([&](LocalDuplet d) {
+        if (!active.contains(d)) {
+            add(d);
+        }
+    });
+    sort_and_make_unique(vertices);
+    return vertices;
+}
+
+}  // namespace
+
+Unions::Unions(const Network& network, const DupletSet& active)
     : lattice_{network.shared_lattice()},
       part_(static_cast<std::size_t>(network.mass_count())),
       in_use_(lattice_->vertex_sites(), 0) {
@@ -14,7 +38,21 @@ Unions::Unions(const Network& network)
         const bool alone = network.block().is_corner(network.entity(entity_of(m)), corner_of(m));
         part_[m.index()] = static_cast<std::uint8_t>(alone ? corner_of(m) : base_layer);
     }
-    network.for_each_union([&](std::span<const LocalMass> masses) { find_layers(lattice_->vertex(masses.front())); });
+    network.for_each_touched_vertex(
+        [&](std::span<const LocalMass> masses) { find_layers(lattice_->vertex(masses.front())); });
+    for (const VertexSite v : weakened_vertices(network, active)) {
+        if (is_touched(v)) {
+            assign_parts(network, active, v);
+        }
+    }
+}
+
+void Unions::assign_parts(const Network& network, const DupletSet& active, VertexSite v) {
+    std::vector<LocalMass> masses;
+    lattice_->for_each_mass_at(v, [&](LocalMass m) { masses.push_back(m); });
+    for (const std::vector<LocalMass>& part : connected_parts(network, active, masses)) {
+        assign(part);
+    }
 }
 
 LocalMass Unions::smallest_mass(LocalUnion s) const {
@@ -63,9 +101,9 @@ LocalUnion Unions::assign(std::span<const LocalMass> part) {
     return local_union(v, layer);
 }
 
-void Unions::set_received_part(LocalMass m, int label) {
-    CRACKSIM_EXPECT(!is_touched(lattice_->vertex(m)) && label >= 0 && label < layers);
-    part_[m.index()] = static_cast<std::uint8_t>(label);
+void Unions::set_received_part(LocalMass m, int part) {
+    CRACKSIM_EXPECT(!is_touched(lattice_->vertex(m)) && part >= 0 && part < layers);
+    part_[m.index()] = static_cast<std::uint8_t>(part);
 }
 
 std::size_t Unions::memory_bytes() const { return part_.capacity() + in_use_.capacity(); }

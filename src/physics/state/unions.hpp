@@ -8,24 +8,27 @@
 
 #include "core/ids.hpp"
 #include "physics/problem/lattice.hpp"
-#include "physics/state/motion.hpp"
 #include "physics/problem/network.hpp"
+#include "physics/state/motion.hpp"
 
 namespace cracksim::physics {
 
-/// Which masses move as one. The masses of a vertex that share a union share a label, which follows from the split state alone:
-/// its corner for a mass on its own; else base_layer in the part with the vertex's smallest mass, and in the others the corner of
-/// their smallest mass. A union's motion is in the layer of its label. The label of a received mass is what its owner says.
+/// Which masses move as one. The masses of a vertex that share a union have the same part number, which follows from the
+/// active duplets alone: a mass that is alone has the number of its corner; the part with the vertex's smallest mass has
+/// base_layer; any other part has the corner of its smallest mass. The motion of a union is in the layer of that number. A received
+/// mass has the number that its owner sends.
 class Unions {
 public:
-    explicit Unions(const Network& network);
+    /// The connected components of the network's active duplets. Received masses count as whole until their owners' numbers
+    /// are set.
+    Unions(const Network& network, const DupletSet& active);
 
     [[nodiscard]] const Lattice& lattice() const { return *lattice_; }
     [[nodiscard]] int part(LocalMass m) const { return part_[m.index()]; }
     /// Touched: this rank advances the unions of the vertex, and has all their masses.
     [[nodiscard]] bool is_touched(VertexSite v) const { return in_use_[v.index()] != 0; }
     [[nodiscard]] LocalUnion union_of(LocalMass m) const { return local_union(lattice_->vertex(m), part(m)); }
-    /// Of its local masses; none if the union is empty.
+    /// The smallest local mass of a union; none if the union is empty.
     [[nodiscard]] LocalMass smallest_mass(LocalUnion s) const;
     /// Calls action(mass) for the masses of an advanced union, ascending.
     template <class Action>
@@ -53,26 +56,27 @@ public:
     void for_each_advanced(Action&& action) const {
         for_each_advanced_union([&](LocalUnion s) { action(s, smallest_of_advanced(s)); });
     }
-    /// By the rules for labels, and so without a look at those of the vertex's other masses.
+    /// Follows from the rule for part numbers, so it reads no other mass of the vertex.
     [[nodiscard]] LocalMass smallest_of_advanced(LocalUnion s) const {
         return layer_of(s) == base_layer ? lattice_->smallest_at(vertex_of(s))
                                          : lattice_->mass_at(vertex_of(s), layer_of(s));
     }
-    /// Slots of all unions that this rank advances, by vertex and layer.
+    /// All unions that this rank advances, by vertex and layer.
     [[nodiscard]] std::vector<LocalUnion> advanced() const;
 
-    /// Makes some masses of a touched vertex (ascending) a union of their own; returns its union.
+    /// Makes some masses of a touched vertex (ascending) a union of their own; returns it.
     LocalUnion assign(std::span<const LocalMass> part);
-    /// Takes over the label of a received mass. Its motion is not moved.
-    void set_received_part(LocalMass m, int label);
+    /// Sets the part number of a received mass. Does not move its motion.
+    void set_received_part(LocalMass m, int part);
 
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
     void find_layers(VertexSite v);
+    void assign_parts(const Network& network, const DupletSet& active, VertexSite v);
 
     std::shared_ptr<const Lattice> lattice_;
-    std::vector<std::uint8_t> part_;   ///< by local mass
+    std::vector<std::uint8_t> part_;    ///< by local mass
     std::vector<std::uint8_t> in_use_;  ///< by vertex site: bit p is set where layer p holds an advanced union
 };
 

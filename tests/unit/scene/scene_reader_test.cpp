@@ -64,7 +64,7 @@ TEST(ReadScene, FillsInDefaults) {
     EXPECT_EQ(scene.block.origin(), Vec3{});
     EXPECT_EQ(scene.material->damping, 0.2);
     EXPECT_FALSE(scene.material->fracture_energy.has_value());
-    EXPECT_EQ(scene.duplets, physics::Duplets::corners);
+    EXPECT_EQ(scene.duplets, physics::DupletKind::corners);
     EXPECT_EQ(scene.sensors.kind, SensorKind::normal);
     EXPECT_EQ(scene.sensors.threshold({}, 0), 0.02);
     EXPECT_FALSE(scene.sensors.weibull.has_value());
@@ -114,7 +114,7 @@ TEST(ReadScene, TakesEveryKey) {
     EXPECT_EQ(scene.network.edge.viscosity, 0.1);
     EXPECT_EQ(scene.network.diagonal.stiffness, 0);
     EXPECT_EQ(scene.network.diagonal.viscosity, 0);
-    EXPECT_EQ(scene.duplets, physics::Duplets::tree);
+    EXPECT_EQ(scene.duplets, physics::DupletKind::tree);
     EXPECT_EQ(scene.sensors.threshold({2, 0, 0}, 0), 2.02);
     EXPECT_EQ(scene.sensors.weibull->shape, 10);
     EXPECT_EQ(scene.sensors.weibull->seed, 7U);

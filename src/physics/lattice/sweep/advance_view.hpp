@@ -20,7 +20,7 @@ struct AdvanceView {
     const PoolPlace* next_pooled;
     bool extrapolates;
     double longest_increment;  ///< m; beyond it a motion makes no sense
-    bool broken;               ///< out: some increment is beyond it or not a number
+    bool failed;               ///< out: some increment is beyond it or not a number
 };
 
 /// Some unions' components along one axis, for their next increments.

@@ -11,10 +11,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "physics/lattice/sweep/interaction-inl.hpp"
-#include "physics/state/motion.hpp"
+#include "physics/lattice/sweep/forces-inl.hpp"
 #include "physics/lattice/sweep/plain_vectors-inl.hpp"
 #include "physics/lattice/sweep/rows-inl.hpp"
+#include "physics/state/motion.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
@@ -112,8 +112,8 @@ CRACKSIM_INLINE void add_to_pool(const SweepView<Real>& v, std::size_t site, con
 
 /// The forces on corners in the base layer. Entities of which no corner on a side is there have nothing for that side's vertices.
 template <std::size_t Side, class Real>
-CRACKSIM_INLINE void add_side_in_base(const SweepView<Real>& v, std::size_t site, Forces<Real>& forces, RowRun<Real>& run,
-                                   std::size_t at) {
+CRACKSIM_INLINE void add_side_in_base(const SweepView<Real>& v, std::size_t site, Forces<Real>& forces,
+                                      RowRun<Real>& run, std::size_t at) {
     const auto [lower, upper] = Lattice::corners_of_side[Side];
     const std::uint8_t lower_lanes = lanes_in_base(v, site, lower);
     const std::uint8_t upper_lanes = lanes_in_base(v, site, upper);
@@ -128,8 +128,8 @@ CRACKSIM_INLINE void add_side_in_base(const SweepView<Real>& v, std::size_t site
 
 /// Carried interactions of entities whose corners' motions are found in `from`.
 template <bool Measured, class From, class Real>
-CRACKSIM_INLINE void add_interactions(const SweepView<Real>& v, std::size_t site, unsigned represented, const From& from,
-                                     Forces<Real>& forces, Outcome<Real>& outcome) {
+CRACKSIM_INLINE void add_interactions(const SweepView<Real>& v, std::size_t site, unsigned represented,
+                                      const From& from, Forces<Real>& forces, Outcome<Real>& outcome) {
     const std::uint8_t* multiplicities = multiplicities_of(v, site);
     const LimitsHere limits = limits_of(v, site);
     add_represented<false, Measured>(v, represented, from, multiplicities, limits, forces, outcome);
@@ -140,8 +140,8 @@ CRACKSIM_INLINE void add_interactions(const SweepView<Real>& v, std::size_t site
 
 /// The entities of a row from the place `at` on, all of whose corners are in the base layer, whatever they represent.
 template <bool Measured, class Real>
-HWY_NOINLINE void sweep_base(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at, unsigned represented,
-                            RowSums<Real>& sums) {
+HWY_NOINLINE void sweep_base(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
+                             unsigned represented, RowSums<Real>& sums) {
     Forces<Real> forces;
     Outcome<Real> outcome;
     add_interactions<Measured>(v, row.first_site + at, represented, plain_corners_at(v, run, at), forces, outcome);
@@ -152,7 +152,7 @@ HWY_NOINLINE void sweep_base(SweepView<Real>& v, const RowView& row, RowRun<Real
 /// The same in any state of their unions.
 template <bool Measured, class Real>
 HWY_NOINLINE void sweep_split(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
-                             unsigned represented, RowSums<Real>& sums) {
+                              unsigned represented, RowSums<Real>& sums) {
     const std::size_t site = row.first_site + at;
     Assembled<Real> assembled;
     assemble(v, row, at, assembled);
@@ -169,7 +169,7 @@ HWY_NOINLINE void sweep_split(SweepView<Real>& v, const RowView& row, RowRun<Rea
 
 template <bool Measured, class Real>
 CRACKSIM_INLINE void sweep_any(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
-                              RowSums<Real>& sums) {
+                               RowSums<Real>& sums) {
     const std::size_t site = row.first_site + at;
     const unsigned represented = represented_by(v, site) & ~SharedEdges::properties;
     if (represented == 0) {

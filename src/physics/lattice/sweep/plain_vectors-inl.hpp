@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "physics/lattice/sweep/interaction-inl.hpp"
+#include "physics/lattice/sweep/forces-inl.hpp"
 #include "physics/lattice/sweep/rows-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -90,8 +90,8 @@ HWY_INLINE V<Real> plain_multiplicity(const std::uint8_t* multiplicities) {
 
 template <Known What, unsigned Represented, bool Measured, class Real, std::size_t... I>
 CRACKSIM_INLINE void add_all_plain(const SweepView<Real>& v, RowRun<Real>& run, std::size_t at,
-                                 const std::uint8_t* multiplicities, const LimitsHere& limits, Outcome<Real>& outcome,
-                                 std::index_sequence<I...> list) {
+                                   const std::uint8_t* multiplicities, const LimitsHere& limits, Outcome<Real>& outcome,
+                                   std::index_sequence<I...> list) {
     constexpr bool no_void = What != Known::any && Represented == SharedEdges::interior_list;
     const PlainCorners<Real> x = plain_corners_at(v, run, at);
     Interactions<Real> all;
@@ -116,21 +116,23 @@ CRACKSIM_INLINE void add_all_plain(const SweepView<Real>& v, RowRun<Real>& run, 
 
 /// Consecutive vectors of a row that represent the same, from the place `at` to `end`.
 template <unsigned Represented, Known What, bool Measured, class Real>
-HWY_NOINLINE void sweep_plain(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at, std::size_t end,
-                             RowSums<Real>& sums) {
+HWY_NOINLINE void sweep_plain(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
+                              std::size_t end, RowSums<Real>& sums) {
     for (; at < end; at += vector_lanes<Real>) {
         const std::size_t site = row.first_site + at;
         Outcome<Real> outcome = no_outcome<Real>();
         const std::uint8_t* multiplicities = multiplicities_of(v, site);
-        add_all_plain<What, Represented, Measured>(v, run, at, multiplicities, limits_of(v, site), outcome, ListOf<Represented>{});
-        add_to_sums<Measured>(v, outcome, plain_multiplicity<What, SharedEdges::owned_row, Real>(multiplicities), site, sums);
+        add_all_plain<What, Represented, Measured>(v, run, at, multiplicities, limits_of(v, site), outcome,
+                                                   ListOf<Represented>{});
+        add_to_sums<Measured>(v, outcome, plain_multiplicity<What, SharedEdges::owned_row, Real>(multiplicities), site,
+                              sums);
     }
 }
 
 /// False: not with what is represented.
 template <bool Measured, class Real>
-HWY_INLINE bool sweep_plain(unsigned represented, SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
-                           std::size_t end, RowSums<Real>& sums) {
+HWY_INLINE bool sweep_plain(unsigned represented, SweepView<Real>& v, const RowView& row, RowRun<Real>& run,
+                            std::size_t at, std::size_t end, RowSums<Real>& sums) {
     // What vectors of an intact block represent; the rare ones, and those of a block only a vector wide, are left to sweep_base.
     constexpr unsigned interior = represented_if_intact(false, false, false);
     constexpr unsigned start_of_row = represented_if_intact(true, false, false);

@@ -34,7 +34,8 @@ void sweep_vectors(SweepView<Real>& v, const RowView& row) {
         bool done = false;
         if (is_base(v, site)) {
             const unsigned list = represented_by(v, site);
-            while (end < row.sites && is_base(v, row.first_site + end) && represented_by(v, row.first_site + end) == list) {
+            while (end < row.sites && is_base(v, row.first_site + end) &&
+                   represented_by(v, row.first_site + end) == list) {
                 end += vector_lanes<Real>;
             }
             done = sweep_plain<Measured>(list, v, row, run, at, end, sums);
@@ -52,8 +53,8 @@ void sweep_vectors(SweepView<Real>& v, const RowView& row) {
 }
 
 template <class Real>
-void sweep_row_of(SweepView<Real>& v, const RowView& row, Measure measure) {
-    if (measure == Measure::elastic_energy) {
+void sweep_row_of(SweepView<Real>& v, const RowView& row, bool measures_elastic) {
+    if (measures_elastic) {
         sweep_vectors<true>(v, row);
     } else {
         sweep_vectors<false>(v, row);
@@ -83,7 +84,9 @@ void sweep_gathered(const SweepView<Real>& v, GatheredEntities<Real>& entities) 
     }
 }
 
-void sweep_row_of_real(SweepView<CRACKSIM_REAL>& v, const RowView& row, Measure measure) { sweep_row_of(v, row, measure); }
+void sweep_row_of_real(SweepView<CRACKSIM_REAL>& v, const RowView& row, bool measures_elastic) {
+    sweep_row_of(v, row, measures_elastic);
+}
 void sweep_entities_of_real(const SweepView<CRACKSIM_REAL>& v, GatheredEntities<CRACKSIM_REAL>& entities) {
     sweep_gathered(v, entities);
 }
@@ -98,8 +101,8 @@ namespace cracksim::physics {
 HWY_EXPORT(sweep_row_of_real);
 HWY_EXPORT(sweep_entities_of_real);
 
-void sweep_row(SweepView<CRACKSIM_REAL>& v, const RowView& row, Measure measure) {
-    HWY_DYNAMIC_DISPATCH(sweep_row_of_real)(v, row, measure);
+void sweep_row(SweepView<CRACKSIM_REAL>& v, const RowView& row, bool measures_elastic) {
+    HWY_DYNAMIC_DISPATCH(sweep_row_of_real)(v, row, measures_elastic);
 }
 
 void sweep_entities(const SweepView<CRACKSIM_REAL>& v, GatheredEntities<CRACKSIM_REAL>& entities) {

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "physics/lattice/sweep/interaction-inl.hpp"
+#include "physics/lattice/sweep/forces-inl.hpp"
 #include "physics/state/motion.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -4,15 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "physics/lattice/bfloat16.hpp"
+#include "physics/lattice/pooled_corners.hpp"
 #include "physics/problem/entity_model.hpp"
 #include "physics/problem/lattice.hpp"
 #include "physics/state/motion.hpp"
-#include "physics/lattice/pooled_corners.hpp"
-#include "physics/lattice/bfloat16.hpp"
 
 namespace cracksim::physics {
-
-enum class Measure { nothing, elastic_energy };
 
 /// The polynomial P with 1 - (1 + x)^(-1/2) = x P(x), for quadratic_strains |x| <= QuadraticStrain::small to a relative 3.3e-15 in double, 1.4e-8 in
 /// single precision (minimax); up to QuadraticStrain::near to 1.7e-4 and 0.7 %, which a step of third and of second order corrects.
@@ -87,13 +85,13 @@ struct SweepView {
     /// [half of a batch]: index into pooled, -1 where all corners are in the base layer
     const std::int32_t* pooled_of_half;
     const PooledCorners* pooled;
-    const std::uint8_t* multiplicities;    ///< [batch][row][lane]
-    const std::uint32_t* represented;   ///< [half of a batch] (merging.hpp)
-    const Bfloat16* limits;        ///< [batch][edge][lane]
-    const Bfloat16* lowest_limit;  ///< [half of a batch]
-    EdgeBits* exceeded;             ///< [batch]: edges stretched beyond their limit
-    double dissipated;              ///< out: sum of (z/dt) (dw.n)^2, J
-    double elastic;                 ///< out: sum of k e^2 / 2, J
+    const std::uint8_t* multiplicities;  ///< [batch][row][lane]
+    const std::uint32_t* represented;    ///< [half of a batch] (merging.hpp)
+    const Bfloat16* limits;              ///< [batch][edge][lane]
+    const Bfloat16* lowest_limit;        ///< [half of a batch]
+    EdgeBits* exceeded;                  ///< [batch]: edges stretched beyond their limit
+    double dissipated;                   ///< out: sum of (z/dt) (dw.n)^2, J
+    double elastic;                      ///< out: sum of k e^2 / 2, J
 };
 
 /// Some entities, wherever they are: [component][corner][lane]; in: u and what damping takes for w, m; out: forces, N.

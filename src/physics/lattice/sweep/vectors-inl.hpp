@@ -10,14 +10,26 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
-#include "physics/problem/lattice.hpp"
 #include "physics/lattice/bfloat16.hpp"
+#include "physics/problem/lattice.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
+// What is left out of line passes all vectors through memory; with sanitizers all in one function would compile for a quarter of an hour.
+#undef CRACKSIM_INLINE
+#undef CRACKSIM_INLINE_LAMBDA
+#ifdef __SANITIZE_ADDRESS__
+#define CRACKSIM_INLINE inline
+#define CRACKSIM_INLINE_LAMBDA
+#else
+#define CRACKSIM_INLINE HWY_INLINE
+#define CRACKSIM_INLINE_LAMBDA __attribute__((always_inline))
+#endif
+
 /// Real: double, or float for single precision.
 template <class Real>
 using D = hn::CappedTag<Real, Lattice::lanes>;
@@ -33,6 +45,15 @@ constexpr bool is_whole_batch = vector_lanes<Real> == Lattice::lanes;
 template <class Real>
 constexpr bool is_known = vector_lanes<Real> <= Lattice::half || is_whole_batch<Real>;
 static_assert(is_known<double> && is_known<float>);
+
+/// Calls action(i) for 0 <= i < Count, one after the other, i being a constant.
+template <std::size_t Count, class Action>
+CRACKSIM_INLINE void for_each(Action&& action) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) CRACKSIM_INLINE_LAMBDA {
+        (action(std::integral_constant<std::size_t, I>{}), ...);
+    }
+    (std::make_index_sequence<Count>{});
+}
 
 template <class Real>
 struct V3 {

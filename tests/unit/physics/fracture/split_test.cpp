@@ -42,9 +42,9 @@ std::set<std::set<std::int32_t>> flooded(const Network& network, const std::set<
 std::set<LocalDuplet> missing(const Network& network) {
     std::set<LocalDuplet> found;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interior_faces().size()); ++i) {
-        for (int k = 0; k < Network::duplets_per_face; ++k) {
+        for (int k = 0; k < duplets_per_face; ++k) {
             if (!network.has_touched_duplet(i, k)) {
-                found.emplace(i * Network::duplets_per_face + k);
+                found.emplace(i * duplets_per_face + k);
             }
         }
     }

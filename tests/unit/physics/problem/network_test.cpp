@@ -26,9 +26,9 @@ Network network_of(std::array<std::int64_t, 3> cells, Duplets duplets) {
 std::set<Pair> duplets_of(const Network& network) {
     std::set<Pair> found;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interior_faces().size()); ++i) {
-        for (int k = 0; k < Network::duplets_per_face; ++k) {
+        for (int k = 0; k < duplets_per_face; ++k) {
             if (network.has_touched_duplet(i, k)) {
-                const auto [a, b] = masses_of(network, LocalDuplet{i * Network::duplets_per_face + k});
+                const auto [a, b] = masses_of(network, LocalDuplet{i * duplets_per_face + k});
                 found.emplace(std::min(a, b).value(), std::max(a, b).value());
             }
         }
@@ -96,8 +96,8 @@ TEST(Network, ThresholdsAreThoseOfTheirPlacesWhereverTheFirstDifferentOneIs) {
         block.thresholds.field = [from](Vec3 at) { return at.x > from && at.y > 0.5 ? 0.3 : 0.2; };
         const Network network = block.network();
         for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interior_faces().size()); ++i) {
-            for (int k = 0; k < Network::duplets_per_face; ++k) {
-                const LocalDuplet d{i * Network::duplets_per_face + k};
+            for (int k = 0; k < duplets_per_face; ++k) {
+                const LocalDuplet d{i * duplets_per_face + k};
                 const Vec3 at = network.rest_position(masses_of(network, d)[0]);
                 EXPECT_EQ(network.threshold(d), block.thresholds.field(at));
             }
@@ -111,7 +111,7 @@ TEST(Network, OneThresholdTakesNoMemory) {
     block.thresholds.weibull = Weibull{4, 1};
     const Network varied = block.network();
     EXPECT_EQ(varied.memory_bytes(),
-              uniform + varied.interior_faces().size() * Network::duplets_per_face * sizeof(double));
+              uniform + varied.interior_faces().size() * duplets_per_face * sizeof(double));
 }
 
 }  // namespace

@@ -1,0 +1,52 @@
+#include "physics/lattice/lattice_engine.hpp"
+
+#include "physics/lattice/advance.hpp"
+#include "physics/lattice/force_sweep.hpp"
+#include "physics/lattice/next_increments.hpp"
+#include "physics/lattice/sensing_limits.hpp"
+
+namespace cracksim::physics {
+
+LatticeEngine::LatticeEngine(const Network& network, const State& state)
+    : network_{&network}, caches_{network, state}, stretched_{state.lattice()} {}
+
+Swept LatticeEngine::forces(State& state, Measure measure) {
+    state.motion.clear_forces();
+    ForceSweep sweep{*network_, state, caches_, measure};
+    for (std::size_t row = 0; row < state.lattice().cell_rows().size(); ++row) {
+        sweep.sweep_row(row);
+    }
+    return sweep.found();
+}
+
+Swept LatticeEngine::advance(State& state, std::span<const Vec3> received, Measure measure) {
+    return advance_and_sweep(*network_, state, caches_, received, measure);
+}
+
+void LatticeEngine::next_increments(const State& state, std::span<const ListedUnions::Entry> unions,
+                                    std::span<double> found) const {
+    find_next_increments(*network_, state, unions, found);
+}
+
+void LatticeEngine::corner_forces(const State& state, std::span<const LocalEntity> entities,
+                                  std::span<CornerForces> found) const {
+    find_corner_forces(*network_, state, caches_, entities, found);
+}
+
+void LatticeEngine::changed(State& state, std::span<const VertexSite> reparted, std::span<const VertexSite> weakened) {
+    caches_.update(*network_, state, reparted);
+    stretched_.forget(weakened);
+    for (const VertexSite v : weakened) {
+        for_each_edge_at(state.lattice(), v, [&](VertexSite lower, int axis) {
+            set_sensing_limits(*network_, state, caches_.shared_edges, lower, axis, caches_.limits);
+        });
+    }
+}
+
+std::vector<LocalDuplet> LatticeEngine::may_trigger(const State& state) {
+    return stretched_.find(*network_, state, caches_);
+}
+
+std::size_t LatticeEngine::memory_bytes() const { return caches_.memory_bytes() + stretched_.memory_bytes(); }
+
+}  // namespace cracksim::physics

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "physics/engine.hpp"
+#include "physics/lattice/caches.hpp"
+#include "physics/lattice/stretched_sensors.hpp"
+
+namespace cracksim::physics {
+
+/// The engine for entities of 16 interactions on a regular lattice: SIMD sweeps over rows of entities along x. A copy serves a copy
+/// of the state.
+class LatticeEngine final : public Engine {
+public:
+    /// network must outlive this.
+    LatticeEngine(const Network& network, const State& state);
+
+    Swept forces(State& state, Measure measure) override;
+    Swept advance(State& state, std::span<const Vec3> received, Measure measure) override;
+    void next_increments(const State& state, std::span<const ListedUnions::Entry> unions,
+                         std::span<double> found) const override;
+    void corner_forces(const State& state, std::span<const LocalEntity> entities,
+                       std::span<CornerForces> found) const override;
+    void changed(State& state, std::span<const VertexSite> reparted, std::span<const VertexSite> weakened) override;
+    [[nodiscard]] std::vector<LocalDuplet> may_trigger(const State& state) override;
+    [[nodiscard]] std::size_t memory_bytes() const override;
+
+    [[nodiscard]] const LatticeCaches& caches() const { return caches_; }
+
+private:
+    const Network* network_;
+    LatticeCaches caches_;
+    StretchedSensors stretched_;
+};
+
+}  // namespace cracksim::physics

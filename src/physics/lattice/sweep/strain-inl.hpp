@@ -1,0 +1,138 @@
+// Quadratic strains and rates of the interactions of vectors of entities. Compiled once for each SIMD target: no include guard, but Highway's.
+#if defined(CRACKSIM_PHYSICS_LATTICE_SWEEP_STRAIN_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef CRACKSIM_PHYSICS_LATTICE_SWEEP_STRAIN_INL_HPP
+#undef CRACKSIM_PHYSICS_LATTICE_SWEEP_STRAIN_INL_HPP
+#else
+#define CRACKSIM_PHYSICS_LATTICE_SWEEP_STRAIN_INL_HPP
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <utility>
+
+#include "physics/lattice/sweep/series-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace cracksim::physics::HWY_NAMESPACE {
+
+/// Over the interactions of the entities: sums, and what decides about sensing and about the range of the series.
+template <class Real>
+struct Outcome {
+    V<Real> dissipated;
+    V<Real> elastic;
+    V<Real> largest;                            ///< of the quadratic_strains' magnitudes so far
+    bool any_exceeded;                          ///< false: no edge is stretched beyond its limit
+    unsigned exceeded[HexahedronPairs::edges];  ///< by edge, a bit a lane
+};
+
+template <class Real>
+HWY_INLINE Outcome<Real> no_outcome() {
+    const D<Real> d;
+    const V<Real> zero = hn::Zero(d);
+    return {zero, zero, zero, false, {}};
+}
+
+/// Interactions of the entities by number, as far as they are asked for: d = d0 + du, the quadratic_strain |d|^2/L0^2 - 1 = (2 d0 + du).du / L0^2,
+/// without cancellation, the rate dw.d, how many entities' interaction it is, and the force on the first corner over d.
+template <class Real>
+struct Interactions {
+    V<Real> distance[3][HexahedronPairs::count];
+    V<Real> quadratic_strain[HexahedronPairs::count];
+    V<Real> rate[HexahedronPairs::count];
+    V<Real> multiplicity[HexahedronPairs::count];
+    V<Real> factor[HexahedronPairs::count];
+};
+
+constexpr std::size_t kind_of(std::size_t interaction) { return interaction / HexahedronPairs::per_kind; }
+
+/// The sign of d0 along an axis; edges of a box lie along one.
+constexpr int sign_of_rest(std::size_t interaction, std::size_t axis) {
+    const auto [a, b] = HexahedronPairs::corners[interaction];
+    return Hexahedron::offset[static_cast<std::size_t>(b)][axis] -
+           Hexahedron::offset[static_cast<std::size_t>(a)][axis];
+}
+
+/// Adds what the components of du and dw along an axis tell, axes ascending. edge: the length of an entity along it.
+template <std::size_t I, std::size_t Axis, class Real>
+HWY_INLINE void add_component(V<Real> edge, V<Real> du, V<Real> dw, Interactions<Real>& all) {
+    constexpr int sign = sign_of_rest(I, Axis);
+    const auto from_rest = [&](V<Real> v) CRACKSIM_INLINE_LAMBDA {
+        return sign == 0 ? v : sign > 0 ? hn::Add(edge, v) : hn::Sub(v, edge);
+    };
+    const V<Real> distance = from_rest(du);
+    const V<Real> twice = from_rest(distance);
+    all.distance[Axis][I] = distance;
+    all.quadratic_strain[I] = Axis == 0 ? hn::Mul(twice, du) : hn::MulAdd(twice, du, all.quadratic_strain[I]);
+    all.rate[I] = Axis == 0 ? hn::Mul(dw, distance) : hn::MulAdd(dw, distance, all.rate[I]);
+}
+
+/// Displacements of some entities' corners, and what damping takes for their increments, put together.
+template <class Real>
+struct Assembled {
+    HWY_ALIGN Real motion[Hexahedron::corners][6][vector_lanes<Real>];
+
+    template <std::size_t C, std::size_t Axis>
+    HWY_INLINE V<Real> displacement() const {
+        return hn::Load(D<Real>{}, motion[C][Axis]);
+    }
+    template <std::size_t C, std::size_t Axis>
+    HWY_INLINE V<Real> velocity_increment() const {
+        return hn::Load(D<Real>{}, motion[C][3 + Axis]);
+    }
+};
+
+/// Some interaction of the list has the corner.
+constexpr bool is_met(unsigned list, int corner) {
+    for (std::size_t i = 0; i < HexahedronPairs::count; ++i) {
+        const auto& pair = HexahedronPairs::corners[i];
+        if ((list >> i & 1U) != 0 && (pair[0] == corner || pair[1] == corner)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Components of some interactions along an axis: of one component at a time, the corners' motions are loaded once and stay in registers.
+template <std::size_t Axis, class From, class Real, std::size_t... I>
+CRACKSIM_INLINE void add_components(const SweepView<Real>& v, const From& from, Interactions<Real>& all,
+                                    std::index_sequence<I...>) {
+    constexpr unsigned list = ((1U << I) | ...);
+    V<Real> u[Hexahedron::corners];
+    V<Real> w[Hexahedron::corners];
+    for_each<Hexahedron::corners>([&](auto c) CRACKSIM_INLINE_LAMBDA {
+        if constexpr (is_met(list, c)) {
+            u[c] = from.template displacement<c, Axis>();
+            w[c] = from.template velocity_increment<c, Axis>();
+        }
+    });
+    const V<Real> edge = broadcast<Real>(v.edge[Axis]);
+    const auto add = [&](auto i) CRACKSIM_INLINE_LAMBDA {
+        constexpr auto a = static_cast<std::size_t>(HexahedronPairs::corners[i][0]);
+        constexpr auto b = static_cast<std::size_t>(HexahedronPairs::corners[i][1]);
+        add_component<i, Axis>(edge, hn::Sub(u[b], u[a]), hn::Sub(w[b], w[a]), all);
+    };
+    (add(std::integral_constant<std::size_t, I>{}), ...);
+}
+
+/// Completes the quadratic_strain of interaction I, and finds what decides about the range of the series. Plain: no entity is void, so all
+/// ends are its corners.
+template <std::size_t I, bool Plain, bool Far, class Real>
+CRACKSIM_INLINE void complete_strain(const SweepView<Real>& v, Interactions<Real>& all, Outcome<Real>& sums) {
+    V<Real>& quadratic_strain = all.quadratic_strain[I];
+    quadratic_strain = hn::Mul(broadcast<Real>(v.kind[kind_of(I)].inverse_squared_length), quadratic_strain);
+    if constexpr (!Plain) {
+        // The ends of what is void or represented by another entity may be anywhere, so far apart that 0 times their force is no zero.
+        const auto represented = hn::Ne(all.multiplicity[I], hn::Zero(D<Real>{}));
+        quadratic_strain = hn::IfThenElseZero(represented, quadratic_strain);
+        all.rate[I] = hn::IfThenElseZero(represented, all.rate[I]);
+    }
+    if constexpr (!Far) {
+        sums.largest = larger_magnitude<Real>(sums.largest, quadratic_strain);
+    }
+}
+
+}  // namespace cracksim::physics::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,39 @@
+#include "physics/start.hpp"
+
+#include "physics/state/prescribed_motion.hpp"
+
+namespace cracksim::physics {
+
+namespace {
+
+void for_each_union(const Network& network, const Unions& unions, auto&& action) {
+    for (const LocalMass m : network.received()) {
+        action(unions.union_of(m), m);
+    }
+    unions.for_each_advanced(action);
+}
+
+}  // namespace
+
+void start(const Network& network, const Initial& initial, State& state, Engine& engine) {
+    const double dt = state.step_size;
+    for_each_union(network, state.unions, [&](LocalUnion s, LocalMass m) {
+        const Vec3 rest = network.rest_position(m);
+        state.set_displacement(s, initial.displacement(rest));
+        state.set_velocity_increment(s, dt * initial.velocity(rest));
+    });
+    engine.forces(state, Measure::nothing);
+    for (const LocalUnion s : state.unions.advanced()) {
+        const Vec3 v0 = state.velocity_increment(s);
+        // As in every step, a sum of forces that was flushed to -0 becomes +0.
+        const Vec3 a0 = state.dt2_over_mass(s) * (state.force(s) + Vec3{0, 0, 0});
+        const Vec3 w0 = prescribed(network, state, s, v0 - 0.5 * a0, -0.5);
+        const Vec3 before = prescribed(network, state, s, v0 - 1.5 * a0, -1.5);
+        state.set_increment(s, w0);
+        if (state.scheme == Scheme::ab2) {
+            state.set_velocity_increment(s, 1.5 * w0 - 0.5 * before);
+        }
+    }
+}
+
+}  // namespace cracksim::physics

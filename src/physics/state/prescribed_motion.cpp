@@ -1,0 +1,33 @@
+#include "physics/state/prescribed_motion.hpp"
+
+#include <functional>
+
+namespace cracksim::physics {
+
+namespace {
+
+/// A support's velocity at a time; before the start, where its expression need not make sense, by the line through its values at 0
+/// and as long after the start.
+double velocity_at(const std::function<double(Vec3, double)>& velocity, Vec3 rest, double t) {
+    return t >= 0 ? velocity(rest, t) : 2 * velocity(rest, 0) - velocity(rest, -t);
+}
+
+}  // namespace
+
+Vec3 prescribed(const Network& network, const State& state, LocalUnion s, Vec3 free, double offset) {
+    const HeldUnion* held = state.held.find(s);
+    if (held == nullptr) {
+        return free;
+    }
+    const double t = (static_cast<double>(state.step) + offset) * state.step_size;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int support = held->support[static_cast<std::size_t>(axis)];
+        if (support >= 0) {
+            const auto& velocity = network.supports()[static_cast<std::size_t>(support)].velocity;
+            free[axis] = state.step_size * velocity_at(velocity[static_cast<std::size_t>(axis)], held->rest, t);
+        }
+    }
+    return free;
+}
+
+}  // namespace cracksim::physics

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/vec3.hpp"
+#include "physics/problem/network.hpp"
+#include "physics/state/state.hpp"
+
+namespace cracksim::physics {
+
+/// A union's increment with the held components replaced by dt v(rest, t(n) + offset dt), m; offset 0.5 is the midpoint of the
+/// coming step.
+[[nodiscard]] Vec3 prescribed(const Network& network, const State& state, LocalUnion s, Vec3 free, double offset);
+
+}  // namespace cracksim::physics
