@@ -72,7 +72,8 @@ void append_parts(hdf5::File& file, const SplitParts& parts, double dt) {
     file.append("/splits/count", Integers{parts.count});
 }
 
-// Twice the data: the last chunk of each dataset may have to be made, and the index of chunks grows.
+// An upper bound of the growth of the file: one more chunk per dataset, and twice the data because the chunk index
+// grows too.
 std::int64_t bytes(std::size_t events, const SplitParts& parts) {
     constexpr std::size_t chunks = std::size_t{10} * hdf5::chunk_rows * 8;
     const std::size_t data = 32 * events + 40 * parts.size() + 8 * parts.masses.size();
@@ -93,7 +94,8 @@ SplitParts gather(const partition::Communicator& comm, const SplitParts& parts) 
 
 }  // namespace
 
-// Rows come in chunks, chunks in nodes of an index. What an empty file and a node take is measured with HDF5 1.10.
+// HDF5 stores rows in chunks and lists the chunks in index nodes. The sizes of an empty file and of a node were
+// measured with HDF5 1.10.
 std::int64_t event_file_bytes(std::int64_t events, std::int64_t parts, std::int64_t masses) {
     const auto dataset = [](std::int64_t rows) {
         constexpr std::int64_t node = 2096;
@@ -106,8 +108,7 @@ std::int64_t event_file_bytes(std::int64_t events, std::int64_t parts, std::int6
     return empty_file + 4 * dataset(events) + 5 * dataset(parts) + dataset(masses);
 }
 
-EventWriter::EventWriter(const partition::Communicator& comm, std::filesystem::path file, double dt,
-                         Worker* worker)
+EventWriter::EventWriter(const partition::Communicator& comm, std::filesystem::path file, double dt, Worker* worker)
     : comm_{&comm}, file_{std::move(file)}, dt_{dt}, worker_{worker} {}
 
 void EventWriter::append(std::span<const DupletEvent> events, const SplitParts& parts) const {

@@ -62,7 +62,7 @@ double max_of(const double* values, int count) {
     return most;
 }
 
-/// '=' alone would assign to a variable.
+/// muParser reads a single '=' as an assignment to a variable.
 bool assigns(std::string_view text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text.substr(i, 2) == "==") {
@@ -115,8 +115,8 @@ struct Expression::Formula {
     mu::Parser parser;
 };
 
-// A parser takes kilobytes, and longer to make than a formula to read. A scene may hold 90,000 expressions, of which a run
-// evaluates few: one parser examines them all.
+// A parser takes kilobytes, and creating one takes longer than reading a formula. A scene may hold 90,000 expressions,
+// of which a run evaluates few, so one parser examines them all.
 Expression::Examined Expression::examine(const std::string& text) {
     thread_local Formula formula;
     formula.variables = {};
@@ -126,7 +126,7 @@ Expression::Examined Expression::examine(const std::string& text) {
     if (results != 1) {
         throw InputError{"a comma separates arguments of functions only; the decimal sign is a point"};
     }
-    // Last: asked for its variables, muParser forgets its compiled form.
+    // GetUsedVar() comes last because it discards muParser's compiled form.
     const mu::varmap_type& used = formula.parser.GetUsedVar();
     return {value, used.empty(), used.contains("t")};
 }

@@ -9,7 +9,7 @@
 
 namespace cracksim::io {
 
-/// What is wrong with an expression, for somebody who does not know muParser; characters count from 1.
+/// Explains a parser error to a user who does not know muParser; characters count from 1.
 [[nodiscard]] inline std::string explanation(const mu::ParserError& error) {
     const std::string& found = error.GetToken();
     const std::string token = "'" + shortened(found.substr(0, found.find_last_not_of(" \n") + 1)) + "'";

@@ -37,8 +37,8 @@ FileError file_error(const std::string& operation, const std::filesystem::path& 
     return {text, disk_full};
 }
 
-// The free space is asked first, because a claim that fails half-way has taken all there was from everyone else.
-// Where the file system cannot claim (some network disks), the question has to do.
+// The free space is checked first, because a claim that fails half-way has taken all free space from other programs.
+// Some network file systems cannot claim space; there only this check is made.
 void reserve_space(const std::filesystem::path& file, std::int64_t size) {
     const Descriptor descriptor{::open(file.c_str(), O_WRONLY | O_CLOEXEC)};
     struct stat now {};

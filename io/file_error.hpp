@@ -19,12 +19,13 @@ private:
     bool disk_full_;
 };
 
-/// "cannot <operation> <file>: <text of errno's value>".
+/// The error "cannot <operation> <file>: <message of error_number>".
 [[nodiscard]] FileError file_error(const std::string& operation, const std::filesystem::path& file, int error_number);
 
-/// Makes sure that an existing file can grow to `size` bytes, by claiming them from the disk; throws a FileError if it cannot.
-/// Called before data go to HDF5: Open MPI's collective writes do not report a full disk (the file would be whole, with zeros for
-/// data), and HDF5 does not outlive a failure while it closes a file.
+/// Claims disk space so that an existing file can grow to `size` bytes; throws FileError if the space cannot be
+/// claimed.
+/// Called before HDF5 writes data: Open MPI's collective writes do not report a full disk (the file would look complete
+/// but contain zeros), and HDF5 crashes after a failure to close a file.
 void reserve_space(const std::filesystem::path& file, std::int64_t size);
 
 }  // namespace cracksim::io

@@ -14,7 +14,7 @@ void set(pugi::xml_node node, const char* attribute, const std::string& value) {
     node.append_attribute(attribute).set_value(value.c_str());
 }
 
-// Dimensions must be the dataset's own, dimension by dimension: ParaView aborts on others.
+// `dimensions` must equal the dataset's dimensions one by one, or ParaView aborts.
 void add_data(pugi::xml_node parent, const FrameRecord& frame, const std::string& dataset, bool integer,
               const std::string& dimensions) {
     pugi::xml_node item = parent.append_child("DataItem");

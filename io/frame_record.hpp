@@ -8,10 +8,10 @@ namespace cracksim::io {
 
 /// One frame as summary.json lists it.
 struct FrameRecord {
-    std::string file;  ///< relative to DIR; empty if the mesh had no cell, then there is no file
+    std::string file;  ///< relative to DIR; empty if the mesh has no cells, because then no file is written
     std::int64_t step{0};
     double time{0};         ///< s
-    std::int64_t faces{0};  ///< cells
+    std::int64_t faces{0};  ///< number of cells
     std::int64_t points{0};
 
     [[nodiscard]] bool written() const { return !file.empty(); }

@@ -30,7 +30,7 @@ FrameRecord FrameWriter::write(const geometry::Mesh& mesh, std::int64_t step, do
         return {.file = {}, .step = step, .time = time, .faces = 0, .points = 0};
     }
     const std::int64_t points = comm_->sum(static_cast<std::int64_t>(mesh.points.size()));
-    // Only the root knows of frames that it wrote alone.
+    // Only the root counts the frames of write_alone().
     const auto number = static_cast<std::size_t>(comm_->max(static_cast<std::int64_t>(frames_.size())));
     IndexedFrame frame = next_frame(number, step, time, faces, points);
     frame.cells = agreed_layout(*comm_, mesh);

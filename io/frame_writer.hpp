@@ -13,34 +13,39 @@
 
 namespace cracksim::io {
 
-/// Writes one series of frames into DIR: frames/NAME-000000.hdf and so on, one file a frame, and NAME.xdmf and NAME.hdf.series,
-/// which list all frames so far. Each file is written under another name and renamed when it is whole.
-/// A frame is a VTKHDF 1.0 unstructured grid: points as float64, ids as int64, the mesh's fields as cell data, step and time as
-/// field data (Step, TimeValue). Its datasets hold the same bytes on any number of ranks if the mesh has the same global order.
-/// Frames below a size are gathered and written by the root, which is quicker for them; larger ones by all ranks at once.
+/// Writes one series of frames into DIR: frames/NAME-000000.hdf and so on, one file per frame, and the indexes
+/// NAME.xdmf and NAME.hdf.series, which list all frames so far. Each file is written under another name and renamed
+/// when it is complete.
+/// A frame is a VTKHDF 1.0 unstructured grid: points as float64, ids as int64, the mesh's fields as cell data, step and
+/// time as field data (Step, TimeValue). Its datasets hold the same bytes on any number of ranks if the mesh has the
+/// same global order.
+/// The root gathers and writes small frames, which is faster for them; all ranks together write large frames.
 class FrameWriter {
 public:
     static constexpr std::int64_t default_gather_below = std::int64_t{32} << 20U;
 
-    /// DIR/frames must exist. gather_below: bytes. The communicator must outlive the writer.
+    /// DIR/frames must exist. gather_below: size below which a frame is gathered, bytes. The communicator must outlive
+    /// the writer.
     FrameWriter(const partition::Communicator& comm, std::filesystem::path directory, std::string name,
                 std::int64_t gather_below = default_gather_below);
 
-    /// Writes a frame. Each rank gives its run of points and cells, perhaps none; a rank with cells gives the same fields in the
-    /// same order as all others, one without cells may give none. A mesh without a cell on any rank is left out (readers fail on
-    /// it): the record is then not written(). Throws FileError on all ranks alike. Collective.
+    /// Writes a frame. Each rank passes its run of points and cells, which may be empty. All ranks with cells must pass
+    /// the same fields in the same order; a rank without cells may pass no fields. A mesh that has no cell on any rank
+    /// is not written, because readers fail on it; written() of the record is then false. Throws FileError on all
+    /// ranks. Collective.
     FrameRecord write(const geometry::Mesh& mesh, std::int64_t step, double time);
 
-    /// Writes a frame that the root holds whole; on the root alone, without communication, so it may run beside the run (see
-    /// Worker). Nothing else may be asked of this writer meanwhile, on any rank. Throws FileError.
+    /// Writes a frame whose whole mesh is on the root. Called on the root only and without communication, so it may run
+    /// in a Worker while the run goes on. Meanwhile no other member of this writer may be called on any rank. Throws
+    /// FileError.
     FrameRecord write_alone(const geometry::Mesh& mesh, std::int64_t step, double time);
 
-    /// Brings NAME.xdmf and NAME.hdf.series up to date with the last frame. While frames follow each other quickly write() does
-    /// so once a second only, because the index lists all frames and is written whole. Collective.
+    /// Updates NAME.xdmf and NAME.hdf.series to the last frame. write() and write_alone() update them at most once a
+    /// second, because the indexes list all frames and are rewritten whole. Collective.
     void finish_index();
 
     [[nodiscard]] const std::string& name() const { return name_; }
-    /// All frames so far; those of write_alone() on the root only.
+    /// All frames so far; only the root lists the frames of write_alone().
     [[nodiscard]] FrameSeries series() const;
 
 private:

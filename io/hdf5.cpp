@@ -27,7 +27,7 @@ Result File::checked(Result result, const std::string& operation) const {
 
 void start() { H5open(); }
 
-// Locks are off: someone who looks at the file while the run goes on must not make the run fail.
+// File locks are off, so that a program that reads the file during a run does not make the run fail.
 File::File(std::filesystem::path path, Access access) : path_{std::move(path)}, access_{access} {
     silence_error_printing();
     transfer_ = PropertyList{checked(H5Pcreate(H5P_DATASET_XFER), "set up the writing of")};
@@ -70,7 +70,8 @@ void File::create_group(const std::string& name) {
                               "make the group " + name + " in")};
 }
 
-// No fill values: every row is written, and filling would write it twice. No time stamps: equal runs give equal files.
+// Fill values are off: every row is written, and filling would write it twice. Time stamps are off: equal runs give
+// equal files.
 void File::create_dataset(const std::string& name, RowType type, std::int64_t rows) {
     const std::string operation = "make the dataset " + name + " in";
     const Sizes sizes{size_of(rows), type.columns};
@@ -166,7 +167,7 @@ void File::set_attribute(const std::string& object, const std::string& name, std
     checked(H5Awrite(attribute.get(), H5T_NATIVE_INT64, values.data()), "write the attribute " + name + " of");
 }
 
-// A fixed-length string: what readers of VTKHDF expect.
+// VTKHDF readers expect a string of fixed length.
 void File::set_attribute(const std::string& object, const std::string& name, const std::string& text) {
     const std::string operation = "make the attribute " + name + " in";
     const Datatype type{checked(H5Tcopy(H5T_C_S1), operation)};

@@ -14,13 +14,14 @@
 
 namespace cracksim::io::hdf5 {
 
-/// Starts the library, if nobody has yet. It calls MPI then, so a thread that must not needs this done before by one that may.
+/// Starts the HDF5 library if it has not started yet. The start calls MPI, so a thread that may use MPI must call this
+/// before a thread that may not use MPI uses HDF5.
 void start();
 
-/// How one row of a dataset looks in memory and in the file.
+/// Element type and number of columns of a dataset's rows, in memory and in the file.
 struct RowType {
     hid_t element;
-    hsize_t columns;  ///< 1: a dataset of one dimension, rows; else of two, rows x columns
+    hsize_t columns;  ///< 1: a one-dimensional dataset (rows); else a two-dimensional one (rows x columns)
 };
 
 template <class T>
@@ -47,15 +48,15 @@ template <>
 }
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(MassId) == sizeof(std::int64_t));
 
-/// Rows by which an extendible dataset grows.
+/// An extendible dataset grows by chunks of this many rows.
 constexpr std::int64_t chunk_rows = 4096;
 
 enum class Access { create, modify, read };
 
-/// An open HDF5 file; groups and datasets are named by their full path. Every failure is a FileError that names the file and the
-/// operation. Opened with a communicator, every member is collective.
-/// A file that was opened to be written must be closed by close(): without it the file counts as failed and is given up as it is,
-/// left to HDF5's own end, because HDF5 1.10 ends in a segmentation fault there if a close failed before.
+/// An open HDF5 file; groups and datasets are named by their full path. Every failure is a FileError that names the
+/// file and the operation. If the file was opened with a communicator, every member is collective.
+/// A file that was opened for writing must be closed by close(). A file that is destroyed without close() counts as
+/// failed and is not closed: HDF5 1.10 ends with a segmentation fault if it failed to close a file.
 class File {
 public:
     File(std::filesystem::path path, Access access);
@@ -71,19 +72,19 @@ public:
     void set_attribute(const std::string& object, const std::string& name, std::span<const std::int64_t> values);
     void set_attribute(const std::string& object, const std::string& name, const std::string& text);
 
-    /// A dataset of a fixed number of rows, all of which must be written.
+    /// Creates a dataset with a fixed number of rows, all of which must be written.
     template <class T>
     void create(const std::string& name, std::int64_t rows) {
         create_dataset(name, row_type<T>(), rows);
     }
-    /// An empty dataset that append() lets grow.
+    /// Creates an empty dataset that append() extends.
     template <class T>
     void create_extendible(const std::string& name) {
         create_extendible_dataset(name, row_type<T>());
     }
 
-    /// Writes this rank's rows from place `first` on; a rank may have none. Does nothing if the dataset itself has no rows:
-    /// a collective write to such a dataset fails.
+    /// Writes this rank's rows from row `first` on; a rank may have no rows. Does nothing if the dataset has no rows,
+    /// because a collective write to such a dataset fails.
     template <class T>
     void write(const std::string& name, std::int64_t first, std::span<const T> rows) {
         write_rows(name, row_type<T>(), first, static_cast<std::int64_t>(rows.size()), rows.data());
@@ -95,7 +96,7 @@ public:
     }
 
     [[nodiscard]] std::int64_t rows(const std::string& name) const;
-    /// The whole dataset. Serial files only.
+    /// Reads the whole dataset. Serial files only.
     template <class T>
     [[nodiscard]] std::vector<T> read(const std::string& name) const {
         std::vector<T> values(static_cast<std::size_t>(rows(name)));
@@ -117,7 +118,7 @@ private:
                                              const Dataspace& space);
     [[nodiscard]] Attribute open_attribute(const std::string& object, const std::string& name) const;
 
-    /// Passes a result of HDF5 on, or throws what failed.
+    /// Returns a result of HDF5, or throws FileError if it reports a failure.
     template <class Result>
     Result checked(Result result, const std::string& operation) const;
 

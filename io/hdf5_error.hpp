@@ -7,10 +7,11 @@
 
 namespace cracksim::io::hdf5 {
 
-/// HDF5 prints every error to stderr by itself; here errors are exceptions, so that is switched off.
+/// Stops HDF5 from printing every error to stderr: here errors are exceptions.
 void silence_error_printing();
 
-/// "cannot <operation> <file>: <HDF5's innermost cause>"; empties HDF5's error stack.
+/// The error "cannot <operation> <file> (HDF5: <innermost cause>)", or file_error() if the disk is full; empties HDF5's
+/// error stack.
 [[nodiscard]] FileError last_error(const std::string& operation, const std::filesystem::path& file);
 
 }  // namespace cracksim::io::hdf5

@@ -6,7 +6,7 @@
 
 namespace cracksim::io::hdf5 {
 
-/// Owner of one HDF5 identifier: closed when it goes.
+/// Owns an HDF5 identifier and closes it on destruction.
 template <herr_t (*close_id)(hid_t)>
 class Handle {
 public:
@@ -26,7 +26,7 @@ public:
     }
 
     [[nodiscard]] hid_t get() const { return id_; }
-    /// Gives the identifier up without closing it.
+    /// Gives up the identifier without closing it.
     [[nodiscard]] hid_t release() { return std::exchange(id_, H5I_INVALID_HID); }
 
 private:

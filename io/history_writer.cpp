@@ -14,7 +14,7 @@ namespace {
 constexpr const char* header =
     "step,time,kinetic,elastic,dissipated,external,inactive_duplets,unions,fragments,components,crack_area\n";
 
-// 17 digits: every double reads back to the same bits.
+// With 17 digits every double reads back to the same bits.
 int print(std::FILE* stream, const HistoryRow& row) {
     return std::fprintf(
         stream, "%" PRId64 ",%.17g,%.17g,%.17g,%.17g,%.17g,%" PRId64 ",%" PRId64 ",%" PRId64 ",%" PRId64 ",%.17g\n",
@@ -24,7 +24,7 @@ int print(std::FILE* stream, const HistoryRow& row) {
 
 }  // namespace
 
-// A number that is not 0 takes about 20 characters; a typical row has a time, three energies and six counts.
+// A non-zero double takes about 20 characters; a typical row has a time, three energies and six counts.
 std::int64_t history_bytes(std::int64_t rows) {
     constexpr std::int64_t typical_row = 110;
     return static_cast<std::int64_t>(std::string_view{header}.size()) + rows * typical_row;

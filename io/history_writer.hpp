@@ -24,16 +24,17 @@ struct HistoryRow {
     double crack_area;
 };
 
-/// About the size of history.csv with so many rows, bytes; numbers differ in length.
+/// Estimated size of history.csv with `rows` rows, bytes; the lengths of the numbers vary.
 [[nodiscard]] std::int64_t history_bytes(std::int64_t rows);
 
-/// Writes history.csv, a line at a time: after each call the line is in the file.
+/// Writes history.csv line by line: when write() returns, the line is in the file.
 class HistoryWriter {
 public:
-    /// Makes the file with its header line. Throws FileError on all ranks alike. The communicator must outlive the writer. Collective.
+    /// Creates the file with its header line. Throws FileError on all ranks. The communicator must outlive the writer.
+    /// Collective.
     HistoryWriter(const partition::Communicator& comm, std::filesystem::path file);
 
-    /// The root's row counts. Throws FileError on all ranks alike. Collective.
+    /// Writes the root's row; the rows of the other ranks are ignored. Throws FileError on all ranks. Collective.
     void write(const HistoryRow& row);
 
 private:

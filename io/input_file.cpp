@@ -22,7 +22,7 @@ constexpr const char* advice = "name a scene's file, such as inputs/block.yaml";
 
 std::string text_of(int error_number) { return std::generic_category().message(error_number); }
 
-// A pipe may never say anything and a device never end: only what is surely a file is opened.
+// Only regular files are opened: a pipe may never deliver a byte, and a device may never end.
 void check_kind(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);

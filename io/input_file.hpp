@@ -5,8 +5,8 @@
 
 namespace cracksim::io {
 
-/// The bytes of a scene's file; of a file that is larger than any scene may be, as many as show that.
-/// Throws InputError that names the file and says why it cannot be read.
+/// The bytes of a scene file, but at most largest_input + 1: one byte more than a scene may have.
+/// Throws InputError that names the file and the reason why it cannot be read.
 [[nodiscard]] std::string read_input_file(const std::filesystem::path& path);
 
 }  // namespace cracksim::io

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = RawNode::Kind;
 
-/// What a message adds about a number, true or false, that only its quotes make a text.
+/// Appended to a message about a number, true or false that is a text only because it is in quotes.
 constexpr const char* in_quotes = " as a text; remove the quotes";
 
 }  // namespace

@@ -12,10 +12,10 @@
 
 namespace cracksim::io {
 
-/// A scene's file is at most so large, bytes.
+/// Largest size of a scene file, bytes.
 inline constexpr std::size_t largest_input = std::size_t{4} << 20U;
 
-/// Bytes of the UTF-8 sequence that begins the text; 0 if there is none.
+/// Length of the UTF-8 sequence at the start of the text, bytes; 0 if there is none.
 [[nodiscard]] inline std::size_t utf8_length(std::string_view text) {
     const auto byte = [&](std::size_t i) {
         return i < text.size() ? static_cast<unsigned>(static_cast<unsigned char>(text[i])) : 0U;
@@ -34,7 +34,8 @@ inline constexpr std::size_t largest_input = std::size_t{4} << 20U;
     return length;
 }
 
-/// The code of the control character that begins the text, if one does: what cannot be seen, and may steer a terminal.
+/// The code of the control character at the start of the text, if there is one. Control characters are invisible and
+/// may control a terminal.
 [[nodiscard]] inline std::optional<unsigned> control_character(std::string_view text) {
     const auto byte = [&](std::size_t i) {
         return i < text.size() ? static_cast<unsigned>(static_cast<unsigned char>(text[i])) : 0x20U;
@@ -45,7 +46,7 @@ inline constexpr std::size_t largest_input = std::size_t{4} << 20U;
     return byte(0) == 0xC2U && byte(1) >= 0x80U && byte(1) < 0xA0U ? std::optional{byte(1)} : std::nullopt;
 }
 
-/// Where the text's first control character is.
+/// Position of the first control character in the text; npos if there is none.
 [[nodiscard]] inline std::size_t find_control_character(std::string_view text) {
     std::size_t i = 0;
     while (i < text.size() && !control_character(text.substr(i))) {
@@ -54,14 +55,14 @@ inline constexpr std::size_t largest_input = std::size_t{4} << 20U;
     return i < text.size() ? i : std::string_view::npos;
 }
 
-/// A byte, or the code of a character, as 0x1B.
+/// A byte or a character code in hexadecimal, such as 0x1B.
 [[nodiscard]] inline std::string hexadecimal(unsigned value) {
     std::array<char, 12> text{};
     std::snprintf(text.data(), text.size(), "0x%02X", value);
     return text.data();
 }
 
-/// Text of the input as a message may show it: one line, not too long, in UTF-8.
+/// Input text in a form that a message can show: one line, not too long, in UTF-8.
 [[nodiscard]] inline std::string shortened(std::string_view text) {
     constexpr std::size_t longest = 60;
     std::string shown;
@@ -77,12 +78,12 @@ inline constexpr std::size_t largest_input = std::size_t{4} << 20U;
     return shown;
 }
 
-/// Where a text comes from: a file, or a setting, which has no lines.
+/// The source of a text: a file, or a --set option, which has no lines.
 struct TextSource {
     std::string name;
     bool has_lines;
 
-    /// Line and column count from 1, columns in bytes.
+    /// The place as a message shows it. Lines and columns count from 1, columns in bytes.
     [[nodiscard]] std::string at(std::size_t line, std::size_t column) const {
         return has_lines ? name + ":" + std::to_string(line) + ":" + std::to_string(column) : name;
     }
@@ -113,8 +114,8 @@ inline void check_characters(std::string_view text, const TextSource& source) {
     }
 }
 
-/// Throws InputError where a tab is part of a line's indentation: YAML wants spaces, and its own message about it helps nobody.
-/// Tabs in blank lines, which no one sees, become spaces.
+/// Throws InputError if a tab is part of a line's indentation: YAML requires spaces, and yaml-cpp's message about tabs
+/// does not help the user. Tabs in blank lines, which are invisible, become spaces.
 inline void clean_indentation(std::string& text, const TextSource& source) {
     for (std::size_t begin = 0, line = 1; begin < text.size(); ++line) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -129,7 +130,7 @@ inline void clean_indentation(std::string& text, const TextSource& source) {
     }
 }
 
-/// The text without carriage returns.
+/// The text with "\n" in place of "\r\n" and "\r".
 [[nodiscard]] inline std::string with_unix_line_ends(std::string_view text) {
     std::string unified;
     unified.reserve(text.size());
@@ -143,7 +144,7 @@ inline void clean_indentation(std::string& text, const TextSource& source) {
     return unified;
 }
 
-/// The text as the parser wants it. Throws InputError if it cannot be a scene.
+/// The text in the form that the parser needs. Throws InputError if it cannot be a scene.
 [[nodiscard]] inline std::string checked_text(std::string_view text, const TextSource& source) {
     if (text.size() > largest_input) {
         throw InputError{source.name + ": has more than 4 MiB; a scene is a short text: is this the right file?"};
@@ -154,7 +155,7 @@ inline void clean_indentation(std::string& text, const TextSource& source) {
     std::string checked = with_unix_line_ends(text);
     check_characters(checked, source);
     clean_indentation(checked, source);
-    // yaml-cpp takes a quote that is never closed if a line end follows.
+    // yaml-cpp accepts an unclosed quote if a line end follows, so spaces and line ends at the end are removed.
     checked.erase(checked.find_last_not_of(" \n") + 1);
     return checked;
 }

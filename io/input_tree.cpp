@@ -18,7 +18,7 @@ namespace {
 
 using Kind = RawNode::Kind;
 
-/// Where to look for a quote that runs to the end of a text: the first line with an odd number of them.
+/// Names the first line with an odd number of quotes, where the user may find a quote that is not closed.
 std::string where_quotes_are_odd(std::string_view text, const TextSource& source) {
     std::size_t line = 1;
     bool odd = false;
@@ -29,7 +29,7 @@ std::string where_quotes_are_odd(std::string_view text, const TextSource& source
     return odd && source.has_lines ? "; the quotes of line " + std::to_string(line) + " do not pair" : "";
 }
 
-/// What the parser found, for somebody who does not know yaml-cpp.
+/// Explains a parser error to a user who does not know yaml-cpp.
 [[noreturn]] void refuse(const YAML::Exception& error, const InputBuilder& builder, const std::string& about_quotes) {
     if (error.msg == YAML::ErrorMsg::UNKNOWN_ANCHOR) {
         builder.refuse_anchor(error.mark);

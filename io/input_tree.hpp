@@ -12,17 +12,17 @@ namespace cracksim::io {
 
 struct RawNode;
 
-/// A value of the input with its place in the file. Valid as long as its tree is neither changed nor destroyed.
-/// Every getter throws InputError "file:line:column: key.path: what is wrong" if the value is not what is asked for.
+/// A value of the input with its place in the file. It is valid until its tree is changed or destroyed.
+/// Every getter throws InputError "file:line:column: key.path: reason" if the value does not fit the request.
 class InputNode {
 public:
     enum class Infinity { refused, allowed };
 
     InputNode(const RawNode& raw, std::string path) : raw_{&raw}, path_{std::move(path)} {}
 
-    /// Throws InputError for this value, with place and path in front of the text.
+    /// Throws InputError with place() in front of the text.
     [[noreturn]] void fail(const std::string& why) const;
-    /// What every message about this value begins with: "file:line:column: key.path: ".
+    /// The start of every message about this value: "file:line:column: key.path: ".
     [[nodiscard]] std::string place() const;
 
     /// The value as an error message shows it: 'text', "a list", "a map", or "an empty value".
@@ -34,22 +34,22 @@ public:
     [[nodiscard]] bool is_list() const;
     [[nodiscard]] bool is_map() const;
 
-    /// wanted: what a message says that is needed here.
+    /// wanted: the expected value, as an error message names it.
     [[nodiscard]] double number(Infinity infinity = Infinity::refused, const std::string& wanted = "a number") const;
     /// 1e3 is an integer, 1.5 is not.
     [[nodiscard]] std::int64_t integer(std::int64_t least, std::int64_t most) const;
     [[nodiscard]] bool boolean() const;
     [[nodiscard]] std::string text() const;
-    /// One of the words.
+    /// The text, which must be one of the words.
     [[nodiscard]] std::string word(std::span<const std::string_view> words) const;
     [[nodiscard]] std::vector<InputNode> list() const;
     [[nodiscard]] std::vector<InputNode> list(std::size_t size) const;
 
-    /// This is a map without other keys than these.
+    /// Throws InputError unless this value is a map that has no keys other than these.
     void expect_keys(std::span<const std::string_view> keys) const;
-    /// The value of a key of this map.
+    /// The value of a key of this map, if the map has the key.
     [[nodiscard]] std::optional<InputNode> find(std::string_view key) const;
-    /// The same for a key that must be there.
+    /// The value of a key of this map. Throws InputError if the key is missing.
     [[nodiscard]] InputNode at(std::string_view key) const;
 
 private:
@@ -57,11 +57,12 @@ private:
     std::string path_;
 };
 
-/// A scene file as a tree of values. It takes YAML 1.2 without anchors, aliases, tags and complex keys; the root is a map, keys
-/// are unique in their map, there is one document of at most 4 MiB of UTF-8, nested at most 50 deep, and no tab indents.
+/// A scene file as a tree of values. The file is one document of YAML 1.2, of at most 4 MiB of UTF-8, without anchors,
+/// aliases, tags and complex keys. The root is a map, keys are unique in their map, values are nested at most 50 deep,
+/// and no line is indented by tabs.
 class InputTree {
 public:
-    /// file: the name that messages show. Throws InputError.
+    /// file: the name of the file in messages. Throws InputError.
     InputTree(std::string_view text, std::string file);
     ~InputTree();
     InputTree(InputTree&&) noexcept;
@@ -69,8 +70,9 @@ public:
     InputTree(const InputTree&) = delete;
     InputTree& operator=(const InputTree&) = delete;
 
-    /// Applies "key.path=value" with a value in YAML; list items by index: "block.cells.0=5". Missing keys are made; an index
-    /// one past the end appends. Messages about such a value begin with "--set key.path". Throws InputError.
+    /// Applies "key.path=value". The value is YAML; an index in the path names a list item: "block.cells.0=5". Missing
+    /// keys are created; an index one past the end appends an item. Messages about such a value begin with "--set
+    /// key.path". Throws InputError.
     void set(std::string_view setting);
 
     [[nodiscard]] InputNode root() const;

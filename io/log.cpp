@@ -23,7 +23,7 @@ std::unique_ptr<spdlog::logger> make_logger(spdlog::sink_ptr sink, const std::st
     return logger;
 }
 
-// A log that cannot be written is no reason to stop a run; the run's other files tell the same disk's story.
+// A failure to write the log does not stop a run; the run's other files report errors of the same disk.
 void ignore(const std::string& /*message*/) {}
 
 }  // namespace
@@ -89,7 +89,7 @@ void Log::error(const std::string& text) {
     sinks_->to_file(spdlog::level::err, text);
 }
 
-// Blanks cover what a longer line left; escape sequences would stay visible in a redirected output.
+// Blanks overwrite the rest of a longer line; escape sequences would be visible in redirected output.
 void Log::live(const std::string& text) {
     if (!sinks_ || quiet_) {
         return;
@@ -99,7 +99,8 @@ void Log::live(const std::string& text) {
     live_width_ = text.size();
 }
 
-// After a failure stdout goes nowhere: what stays in its buffer would fail again at the end, where PETSc tells it by pages.
+// After a failure stdout is redirected to /dev/null: text that stays in its buffer would fail again at exit, where
+// PETSc prints pages about it.
 void Log::print(const std::string& text) {
     errno = 0;
     if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) {

@@ -8,9 +8,9 @@
 
 namespace cracksim::io {
 
-/// What a run tells its user: the root writes plain lines to the terminal and, once open() was called, dated lines to a file.
-/// info goes to stdout, warnings and errors to stderr; quiet leaves only those on the terminal. Other ranks say nothing, so what
-/// is to be said must be known to the root.
+/// Messages of a run to its user. The root writes plain lines to the terminal and, after open(), dated lines to a file.
+/// info() writes to stdout, warn() and error() write to stderr; with quiet, only warnings and errors appear on the
+/// terminal. The other ranks write nothing, so the root must have every message.
 class Log {
 public:
     /// The communicator must outlive the log.
@@ -19,16 +19,19 @@ public:
     Log(const Log&) = delete;
     Log& operator=(const Log&) = delete;
 
-    /// From now on lines go to the file too, which is made anew. Throws FileError on all ranks alike. Collective.
+    /// Creates the file, or empties it; from now on lines are also written to it. Throws FileError on all ranks.
+    /// Collective.
     void open(const std::filesystem::path& file);
 
     void info(const std::string& text);
     void warn(const std::string& text);
     void error(const std::string& text);
-    /// Redraws one line of the terminal in place; not in the file, nothing when quiet. The next line of another kind wipes it.
+    /// Redraws one line of the terminal in place. Does not write to the file; does nothing with quiet. The next info(),
+    /// warn() or error() wipes the line.
     void live(const std::string& text);
 
-    /// Could a line not be written to stdout? That is told on stderr, once; later lines go to the file alone. False but on the root.
+    /// True on the root if a line could not be written to stdout, false on the other ranks. The failure is reported
+    /// once on stderr; later lines are written to the file only.
     [[nodiscard]] bool lost_terminal() const { return lost_terminal_; }
 
 private:

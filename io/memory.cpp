@@ -29,7 +29,8 @@ std::optional<std::int64_t> bytes_in(const char* file, std::string_view name) {
 
 }  // namespace
 
-// VmHWM first: what getrusage gives is inherited from the program that started this one, and may be larger than all of ours.
+// VmHWM comes first: getrusage includes the peak of the program that started this one, which may be larger than the
+// peak of this process.
 std::int64_t peak_resident_bytes() {
     if (const auto peak = bytes_in("/proc/self/status", "VmHWM:")) {
         return *peak;

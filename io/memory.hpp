@@ -5,12 +5,13 @@
 
 namespace cracksim::io {
 
-/// The most memory that this process has held so far, bytes.
+/// Peak resident memory of this process, bytes.
 [[nodiscard]] std::int64_t peak_resident_bytes();
 
-/// What the programs on this machine may still take without making it kill one of them, bytes. Empty: not known.
+/// Memory that programs on this machine can still take before the system kills one of them, bytes; empty if unknown.
 [[nodiscard]] std::optional<std::int64_t> available_bytes();
-/// What one of so many processes may hold at most that share this machine's memory evenly, within this process's limit, bytes.
+/// Largest memory of one process, bytes, if `processes` processes share this machine's memory evenly and keep within
+/// this process's limit.
 [[nodiscard]] std::int64_t share_of_memory(std::int64_t processes);
 
 }  // namespace cracksim::io

@@ -12,7 +12,7 @@
 
 namespace cracksim::io {
 
-/// Such a number is 0 in all arithmetic here (float_environment.hpp), so it is told by its bits.
+/// Subnormal numbers are 0 in all arithmetic here (float_environment.hpp), so the bits are tested.
 [[nodiscard]] inline bool is_subnormal(double value) {
     constexpr std::uint64_t exponent = 0x7ff0000000000000U;
     constexpr std::uint64_t fraction = 0x000fffffffffffffU;
@@ -20,13 +20,14 @@ namespace cracksim::io {
     return (bits & exponent) == 0 && (bits & fraction) != 0;
 }
 
-/// A finite number in decimal notation and nothing else; ".inf" is not one. Never depends on the locale.
+/// The value of a text that is a finite number in decimal notation and nothing else; ".inf" is not one. Does not depend
+/// on the locale.
 [[nodiscard]] inline std::optional<double> to_number(std::string_view text) {
     if (text.starts_with('+') && text.size() > 1 && text[1] != '-') {
         text.remove_prefix(1);
     }
     const std::size_t first = text.starts_with('-') ? 1 : 0;
-    // from_chars takes "inf" and "nan" too.
+    // from_chars also accepts "inf" and "nan".
     if (first >= text.size() || (text[first] != '.' && (text[first] < '0' || text[first] > '9'))) {
         return std::nullopt;
     }
@@ -36,7 +37,7 @@ namespace cracksim::io {
     return whole && !is_subnormal(value) ? std::optional{value} : std::nullopt;
 }
 
-/// Is this a decimal number that is too large, or too near 0, to be held?
+/// True for a decimal number that is too large, or too near 0, for a double.
 [[nodiscard]] inline bool is_beyond_range(std::string_view text) {
     text.remove_prefix(text.starts_with('+') ? 1 : 0);
     double value{};
@@ -44,7 +45,7 @@ namespace cracksim::io {
     return end == text.data() + text.size() && (error == std::errc::result_out_of_range || is_subnormal(value));
 }
 
-/// YAML's infinities: .inf, -.inf and their other spellings.
+/// The value of YAML's infinities: .inf, -.inf and their other spellings.
 [[nodiscard]] inline std::optional<double> to_infinity(std::string_view text) {
     const bool negative = text.starts_with('-');
     if (negative || text.starts_with('+')) {
@@ -56,7 +57,7 @@ namespace cracksim::io {
     return negative ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
 }
 
-/// Of a number beyond the range: is it too large, and not too near 0?
+/// For a number beyond the range: true if it is too large, false if it is too near 0.
 [[nodiscard]] inline bool is_too_large(std::string_view text) {
     text.remove_prefix(text.starts_with('+') ? 1 : 0);
     long double value{};
@@ -65,13 +66,13 @@ namespace cracksim::io {
     return error == std::errc{} ? std::abs(value) > 1 : !small_exponent;
 }
 
-/// Infinity as other programs write it, such as inf, -Infinity or +inf.
+/// True for infinity as other programs write it, such as inf, -Infinity or +inf.
 [[nodiscard]] inline bool names_infinity(std::string_view text) {
     text.remove_prefix(text.starts_with('-') || text.starts_with('+') ? 1 : 0);
     return text == "inf" || text == "Inf" || text == "INF" || text == "infinity" || text == "Infinity";
 }
 
-/// What a message about a text that is no number adds, to say what to write instead.
+/// Advice that a message appends about a text that is not a number.
 [[nodiscard]] inline std::string number_hint(std::string_view text, bool may_be_infinite) {
     if (names_infinity(text) || to_infinity(text)) {
         return may_be_infinite ? "; infinity is written .inf" : "; it must be finite";
@@ -86,7 +87,7 @@ namespace cracksim::io {
                                                                : "";
 }
 
-/// An integer, also written as an integral number such as 1e3 (up to 2^53, where numbers are exact).
+/// The value of a text that is an integer, or an integral number such as 1e3 (up to 2^53, where doubles are exact).
 [[nodiscard]] inline std::optional<std::int64_t> to_integer(std::string_view text) {
     std::int64_t value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

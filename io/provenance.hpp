@@ -7,7 +7,7 @@
 
 namespace cracksim::io {
 
-/// Where a result came from.
+/// The program, machine and input that produced a result.
 struct Provenance {
     std::string version;
     std::string git;  ///< "unknown" if built outside a checkout
@@ -23,10 +23,11 @@ struct Provenance {
     std::string input_digest;
 };
 
-/// What this room can know: all but simd_target, ranks, seed and input_digest; of libraries, its own. The caller adds the rest.
+/// Sets all members except simd_target, ranks, seed and input_digest; `libraries` lists only the libraries of this
+/// room. The caller adds the rest.
 [[nodiscard]] Provenance collect_provenance();
 
-/// For --version: version, revision, compiler, build type.
+/// The line that --version prints: version, revision, compiler, build type.
 [[nodiscard]] std::string version_line();
 
 }  // namespace cracksim::io

@@ -157,7 +157,7 @@ void RunDirectory::check(const partition::Communicator& comm) const {
     require(comm, found);
 }
 
-// The marker goes first: if this run is killed right here, the next one may still use the directory.
+// The marker is written first: if this run is killed right after, the next run may still use the directory.
 RunLock RunDirectory::prepare(const partition::Communicator& comm) const {
     require(comm, comm.is_root() ? problem_of(path_) : std::nullopt);
     std::optional<RunLock> lock;
@@ -177,7 +177,8 @@ RunLock RunDirectory::prepare(const partition::Communicator& comm) const {
     require(comm, refused);
     require(comm, comm.is_root() && !lock ? problem_of_lock(path_) : std::nullopt);
     on_root(comm, [&] {
-        // Before anything that may not find room: an old run's files must not pass for this one's.
+        // Old files are removed before any step that may find the disk full: nobody must take them for files of this
+        // run.
         remove_files(path_, is_run_file);
         fs::create_directory(path_ / "frames");
         remove_files(path_ / "frames", is_frame_file);

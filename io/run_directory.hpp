@@ -11,16 +11,17 @@
 
 namespace cracksim::io {
 
-/// The names of the series of frames that a run may write.
+/// Names of the series of frames that a run may write.
 inline constexpr std::array<std::string_view, 4> series_names{"surface", "crack", "masses", "topology"};
 
-/// Is this the name of a file, directly in DIR, that cracksim writes (finished or not)?
+/// True for the name of a file, finished or not, that cracksim writes directly in DIR.
 [[nodiscard]] bool is_run_file(std::string_view name);
-/// The same for the files in DIR/frames.
+/// True for the name of a file, finished or not, that cracksim writes in DIR/frames.
 [[nodiscard]] bool is_frame_file(std::string_view name);
 
-/// The directory that a run writes to. The root acts, all ranks agree. A directory that cracksim made carries the file `.cracksim`;
-/// one that it did not make is used only while it is empty, so that nobody's files are ever mixed with a run's or lost.
+/// The directory that a run writes to. Only the root checks and prepares it; all ranks throw the same errors. A
+/// directory that cracksim made contains the file `.cracksim`; a directory without that file is used only if it is
+/// empty, so that a run never mixes its files with those of a user and never removes any of theirs.
 class RunDirectory {
 public:
     explicit RunDirectory(std::filesystem::path path) : path_{std::move(path)} {}
@@ -28,11 +29,11 @@ public:
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] std::filesystem::path file(std::string_view name) const { return path_ / name; }
 
-    /// Throws InputError if the directory cannot be used; touches nothing. Collective.
+    /// Throws InputError if the directory cannot be used; changes nothing. Collective.
     void check(const partition::Communicator& comm) const;
 
-    /// check(), then makes the directory and its frames/, and removes what an older run wrote, but no other file.
-    /// Keep the lock, which the root has, while the run goes on. Throws InputError or FileError. Collective.
+    /// Calls check(), then creates the directory and its frames/, and removes the files of an older run, but no other
+    /// file. The root must keep the lock during the run. Throws InputError or FileError. Collective.
     RunLock prepare(const partition::Communicator& comm) const;
 
 private:

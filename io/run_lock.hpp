@@ -6,7 +6,8 @@
 
 namespace cracksim::io {
 
-/// HeldUnion while a run writes to a directory: no other run can use it meanwhile. Released when it goes, or with its process.
+/// A lock on a directory that a run writes to: no other run can use the directory while the lock is held. It is
+/// released on destruction or when the process ends.
 class RunLock {
 public:
     RunLock() = default;
@@ -19,7 +20,8 @@ public:
     RunLock& operator=(const RunLock&) = delete;
     ~RunLock();
 
-    /// A lock on the file; nothing if another holder has it. Where the file system cannot lock, one that is not held.
+    /// Locks the file. Returns nothing if another process holds the lock. If the file cannot be opened or the file
+    /// system cannot lock, returns a lock that is not held().
     [[nodiscard]] static std::optional<RunLock> take(const std::filesystem::path& file);
 
     [[nodiscard]] bool held() const { return descriptor_ >= 0; }

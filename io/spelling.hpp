@@ -11,7 +11,8 @@
 
 namespace cracksim::io {
 
-/// Fewest insertions, removals and replacements of characters that turn one word into the other (Levenshtein 1966).
+/// Smallest number of insertions, deletions and substitutions of characters that turn one word into the other
+/// (Levenshtein 1966).
 [[nodiscard]] inline std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -27,7 +28,7 @@ namespace cracksim::io {
     return row.back();
 }
 
-/// The candidate that a word was probably meant to be; none if all are too far from it.
+/// The candidate with the smallest edit distance to the word; none if all distances are too large.
 [[nodiscard]] inline std::optional<std::string_view> nearest(std::string_view word,
                                                              std::span<const std::string_view> candidates) {
     std::optional<std::string_view> best;

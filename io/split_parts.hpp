@@ -8,8 +8,8 @@
 
 namespace cracksim::io {
 
-/// Parts that splits left, in global ids: part p came of the union `parent[p]` (its smallest mass id before the split) at `step[p]`
-/// and holds the next `count[p]` of `masses`, in ascending order.
+/// Parts that splits left, in global ids. Part p was split from the union `parent[p]` (its smallest mass id before the
+/// split) at step `step[p]`, and holds the next `count[p]` entries of `masses`, in ascending order.
 struct SplitParts {
     std::vector<std::int64_t> step;
     std::vector<MassId> parent;
@@ -20,7 +20,7 @@ struct SplitParts {
     void add(std::int64_t at_step, MassId of_union, std::span<const MassId> part);
 };
 
-/// The same parts in order of (step, parent, first mass), each once.
+/// The parts in order of (step, parent, first mass), each once.
 [[nodiscard]] SplitParts sorted(const SplitParts& parts);
 
 }  // namespace cracksim::io

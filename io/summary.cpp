@@ -118,7 +118,7 @@ Json json_by_name(const std::vector<FrameSeries>& all) {
 void add_results(Json& out, const Summary& s) {
     out["events"] = json(s.events);
     out["event_hash"] = hex(s.event_hash);
-    // The state of an invalid run depends on the ranks and on when it was found out.
+    // The state of an invalid run depends on the number of ranks and on the step at which the error was detected.
     out["state_hash"] = s.status == Status::invalid ? Json{} : Json(hex(s.state_hash));
     out["fragments"] = s.fragments;
     out["components"] = s.components;

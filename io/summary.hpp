@@ -15,7 +15,7 @@ namespace cracksim::io {
 
 enum class Status { finished, stopped, invalid };
 
-/// What summary.json says of a run; names and meaning are the file's. SI units.
+/// The contents of summary.json; each member has the name and meaning of a key. SI units.
 struct Summary {
     /// Why a run is invalid.
     struct Invalid {
@@ -51,16 +51,17 @@ struct Summary {
         double per_entity{0}, map_per_entity{0};
     };
     struct Exchange {
-        double bytes_per_step{0};  ///< of all ranks, on average
+        double bytes_per_step{0};  ///< of all ranks together, on average
         std::int64_t neighbours_max{0};
-        double waiting{0};  ///< s, for messages of other ranks; a part of seconds.exchange
+        double waiting{0};  ///< time that ranks wait for messages of other ranks, s; a part of seconds.exchange
     };
-    /// What was forecast before the first step, bytes: intact if nothing breaks, broken if all of it breaks in the first step.
+    /// Forecast made before the first step, bytes: intact if nothing breaks, broken if everything breaks in the first
+    /// step.
     struct Forecast {
-        std::int64_t memory_intact{0}, memory_broken{0};      ///< of the rank that holds most
-        std::int64_t exchange_intact{0}, exchange_broken{0};  ///< of all ranks, in a step
+        std::int64_t memory_intact{0}, memory_broken{0};      ///< of the rank with the most memory
+        std::int64_t exchange_intact{0}, exchange_broken{0};  ///< of all ranks together, per step
         std::int64_t output_intact{0}, output_broken{0};
-        std::int64_t output_per_interface{0};  ///< for each interior face that opens, in each later frame
+        std::int64_t output_per_interface{0};  ///< per interior face that opens and per later frame
     };
 
     Status status{Status::finished};
@@ -87,10 +88,11 @@ struct Summary {
 /// The text of summary.json: keys in the order above, numbers that are not finite as null, hashes as 16 hex digits.
 [[nodiscard]] std::string summary_text(const Summary& summary);
 
-/// About the size of that text with so many frames, bytes.
+/// Estimated size of that text with `frames` frames, bytes.
 [[nodiscard]] std::int64_t summary_bytes(std::int64_t frames);
 
-/// Writes summary.json whole or not at all. For the root alone, within on_root() of agreement.hpp. Throws FileError.
+/// Writes summary.json completely or not at all. Called by the root only, within on_root() of collective_errors.hpp.
+/// Throws FileError.
 void write_summary(const std::filesystem::path& file, const Summary& summary);
 
 }  // namespace cracksim::io

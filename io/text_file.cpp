@@ -11,7 +11,7 @@ namespace cracksim::io {
 
 namespace {
 
-// fclose is where a full disk may show first, so its result counts like a write's.
+// A full disk may show first in fclose, so its result is checked like that of a write.
 void write_and_close(const std::filesystem::path& file, std::string_view text) {
     std::FILE* stream = std::fopen(file.c_str(), "wb");
     if (stream == nullptr) {

@@ -18,7 +18,7 @@ const std::string root = "/VTKHDF";
 const std::string cell_data = root + "/CellData/";
 const std::string field_data = root + "/FieldData/";
 
-/// Where this rank's run of points and cells begins in the whole mesh.
+/// Global numbers of this rank's first point and first cell.
 struct Begin {
     std::int64_t point;
     std::int64_t cell;
@@ -47,8 +47,8 @@ void create_datasets(hdf5::File& file, const IndexedFrame& frame) {
     file.create<double>(field_data + "TimeValue", 1);
 }
 
-/// Writes datasets one after the other. A rank that fails takes part in all the collective writes that follow, or the others
-/// would wait for it for ever; what failed first is told at the end.
+/// Writes datasets one after the other. A rank that fails still takes part in all collective writes that follow, or the
+/// other ranks would wait for it forever; the first failure is thrown at the end.
 class Datasets {
 public:
     explicit Datasets(hdf5::File& file, bool is_root) : file_{file}, is_root_{is_root} {}
@@ -61,7 +61,7 @@ public:
             failure_ = failure_ ? failure_ : error;
         }
     }
-    /// A dataset of one row, written by the root.
+    /// Writes a dataset of one row; only the root writes.
     template <class T>
     void write_one(const std::string& name, const T& value) {
         write(name, 0, std::span{&value, is_root_ ? std::size_t{1} : std::size_t{0}});
@@ -86,7 +86,7 @@ void write_sizes(Datasets& datasets, const FrameRecord& record, std::int64_t cor
     datasets.write_one(field_data + "TimeValue", record.time);
 }
 
-/// Offsets of this rank's cells; the root's begin with the leading 0.
+/// Offsets of this rank's cells; the offsets of the root begin with the leading 0.
 std::vector<std::int64_t> cell_ends(const Mesh& mesh, std::int64_t first_cell, bool leading_zero) {
     std::vector<std::int64_t> ends;
     for (std::int64_t cell = leading_zero ? 0 : 1; cell <= mesh.cells(); ++cell) {

@@ -9,7 +9,7 @@ namespace cracksim::io {
 
 namespace {
 
-/// A signal that came here would break off the system's calls.
+/// A signal in this thread would interrupt its system calls.
 void leave_signals_to_others() {
     sigset_t all;
     sigfillset(&all);

@@ -10,25 +10,26 @@
 
 namespace cracksim::io {
 
-/// A thread for what takes time with files while the run goes on: jobs one after the other. It starts with the first job;
-/// that it cannot be started counts as a job's failure. Only one thread posts, waits and asks.
-/// Jobs must not communicate: only the main thread may use MPI. HDF5 knows no threads: whoever uses it elsewhere calls
-/// wait() before. After a job has failed the others are dropped, until somebody has been told by check() or wait().
+/// A thread that does file work while the run goes on, one job after the other. It starts with the first job; if it
+/// cannot be started, this counts as a failed job. Only one thread may call post(), wait(), settle() and check().
+/// Jobs must not communicate: only the main thread may use MPI. HDF5 is not thread-safe: another thread must call
+/// wait() before it uses HDF5. After a job has failed, other jobs are dropped until check() or wait() has thrown the
+/// failure.
 class Worker {
 public:
     Worker() = default;
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
-    /// Drops what has not begun.
+    /// Drops the jobs that have not begun.
     ~Worker();
 
-    /// Waits while too many jobs do: they hold what they write.
+    /// Adds a job. Waits while too many jobs wait, because each job holds the data that it writes.
     void post(std::function<void()> job);
-    /// Until all is done. Throws what a job threw.
+    /// Waits until all jobs are done. Throws the exception of a failed job.
     void wait();
-    /// Until all is done; what a job threw is still to be told.
+    /// Waits until all jobs are done. Does not throw; the exception of a failed job is kept.
     void settle();
-    /// Throws what a job threw.
+    /// Throws the exception of a failed job.
     void check();
 
 private:

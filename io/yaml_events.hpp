@@ -14,7 +14,7 @@
 
 namespace cracksim::io {
 
-/// A value as it stands in the text. Maps and lists have children; those of a map have keys.
+/// A value as it is written in the text. Maps and lists have children; the children of a map have keys.
 struct RawNode {
     enum class Kind { null, scalar, list, map };
 
@@ -27,8 +27,9 @@ struct RawNode {
     std::vector<RawNode> children;
 };
 
-/// Makes a tree from the parser's events; refuses what a scene has no use for. A tree rather than yaml-cpp's own nodes because
-/// those lose duplicate keys and the places of empty values, and because here nesting is cut before it can overflow a stack.
+/// Builds a tree from the parser's events and refuses YAML features that a scene does not use. yaml-cpp's own nodes are
+/// not used, because they lose duplicate keys and the places of empty values, and because nesting is limited here
+/// before it can overflow the stack.
 class InputBuilder : public YAML::EventHandler {
 public:
     static constexpr std::size_t deepest = 50;
@@ -76,7 +77,8 @@ public:
             "that begins with * or & in quotes"};
     }
 
-    /// For a parser that misses a bracket: its own mark is not where the user must look.
+    /// Reports an unclosed bracket at the place where it opens: the parser's mark is not the place where the user must
+    /// look.
     [[noreturn]] void refuse_open_bracket() const {
         throw InputError{(open_.empty() ? source_.name : open_.back().place) +
                          ": the bracket that opens here is not closed, or an expression in it needs quotes"};
@@ -145,7 +147,7 @@ private:
             node.key = std::move(parent.key);
             node.key_place = std::move(parent.key_place);
             parent.has_key = false;
-            // An empty value, or a map that begins on the next line, is best found by its key.
+            // An empty value, or a map that begins on the next line, is easiest to find at its key.
             node.place = kind == RawNode::Kind::scalar ? node.place : node.key_place;
         }
         parent.node->children.push_back(std::move(node));

@@ -13,8 +13,9 @@
 
 namespace cracksim::partition {
 
-/// The ranks of a run. Every member but rank(), size(), is_root() and handle() is collective.
-/// Reductions that steer the run are min, max, and integer sums, so they do not depend on the number of ranks.
+/// The ranks of a run. Every member is collective except rank(), size(), is_root() and handle().
+/// Reductions that steer a run must be min, max or integer sums, because their results do not depend on the number of
+/// ranks.
 class Communicator {
 public:
     explicit Communicator(MPI_Comm comm);
@@ -26,8 +27,8 @@ public:
 
     [[nodiscard]] std::int64_t sum(std::int64_t value) const;
     [[nodiscard]] std::uint64_t sum(std::uint64_t value) const;  ///< modulo 2^64
-    [[nodiscard]] double sum(double value) const;                ///< for reports only: its bits depend on the ranks
-    /// Each place by itself, in place.
+    [[nodiscard]] double sum(double value) const;  ///< for reports only: its bits depend on the number of ranks
+    /// Sums element by element, in place.
     void sum(std::span<std::int64_t> values) const;
     [[nodiscard]] std::int64_t min(std::int64_t value) const;
     [[nodiscard]] std::int64_t max(std::int64_t value) const;
@@ -37,7 +38,7 @@ public:
     /// Sum of the values of all lower ranks.
     [[nodiscard]] std::int64_t sum_below(std::int64_t value) const;
     void barrier() const;
-    /// How many of the ranks run on the same machine as this one.
+    /// Number of ranks on the same machine as this rank, this rank included.
     [[nodiscard]] int ranks_on_this_machine() const;
 
     /// The root's text on every rank.
@@ -57,7 +58,7 @@ public:
         }
     }
 
-    /// The same on every rank.
+    /// All ranks' values in rank order, on every rank.
     template <class T>
     [[nodiscard]] std::vector<T> gather_on_all(std::span<const T> values) const {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -65,7 +66,7 @@ public:
         return from_bytes<T>(all);
     }
 
-    /// outgoing[r] goes to rank r; what came in, in order of the sending rank.
+    /// Sends outgoing[r] to rank r; returns the received lists in order of the sending rank.
     template <class T>
     [[nodiscard]] std::vector<std::vector<T>> exchange(const std::vector<std::vector<T>>& outgoing) const {
         static_assert(std::is_trivially_copyable_v<T>);

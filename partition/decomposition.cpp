@@ -27,7 +27,7 @@ std::vector<Rank> owners_on_all_ranks(const Communicator& comm, const Block& blo
     }
     owner.resize(static_cast<std::size_t>(block.entity_count()));
     static_assert(sizeof(Rank) == sizeof(std::int32_t));
-    // In pieces, because MPI counts in int.
+    // Broadcast in pieces, because the counts of MPI are of type int.
     constexpr std::size_t piece = std::size_t{1} << 28U;
     for (std::size_t begin = 0; begin < owner.size(); begin += piece) {
         MPI_Bcast(owner.data() + begin, static_cast<int>(std::min(piece, owner.size() - begin)), MPI_INT32_T, 0,

@@ -11,8 +11,8 @@
 
 namespace cracksim::partition {
 
-/// What this rank holds of the block: its owned entities and, as halo, every entity that shares a vertex with one of them.
-/// These lists never change during a run.
+/// The part of the block that this rank holds: its owned entities and, as halo, every other entity that shares a vertex
+/// with one of them. These lists never change during a run.
 struct Decomposition {
     IdArray<LocalEntity, EntityId> entities;  ///< owned and halo together, ascending
     IdArray<LocalEntity, Rank> owner;
@@ -21,7 +21,7 @@ struct Decomposition {
     [[nodiscard]] std::int64_t owned_count() const;
 };
 
-/// Collective. The partitioner runs on the root; what it throws becomes a SharedError.
+/// Collective. The partitioner runs on the root; an exception of the partitioner becomes a SharedError.
 [[nodiscard]] Decomposition decompose(const Communicator& comm, const Block& block, const Partitioner& partitioner);
 
 }  // namespace cracksim::partition

@@ -30,7 +30,7 @@ std::vector<std::int64_t> merged(const Lists& requests) {
     return all;
 }
 
-/// Where each requested id stands in an ascending list.
+/// The index of each requested id in an ascending list.
 Lists places_in(const std::vector<std::int64_t>& ids, const Lists& requests) {
     Lists places(requests.size());
     for (std::size_t r = 0; r < requests.size(); ++r) {
@@ -142,7 +142,7 @@ PendingExchange::~PendingExchange() {
         try {
             end();
         } catch (const std::exception&) {
-            // Unwinding: what caused it is told, and ends the run on all ranks.
+            // The stack is being unwound: the exception that caused it is reported and ends the run on all ranks.
         }
     }
 }

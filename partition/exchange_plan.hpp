@@ -15,15 +15,16 @@ namespace cracksim::partition {
 
 class ExchangePlan;
 
-/// An exchange under way: what it sends and what it receives into must stay until its end.
+/// An exchange that has begun. The values that it sends and the memory that it receives into must stay valid until its
+/// end.
 class PendingExchange {
 public:
     PendingExchange(const PendingExchange&) = delete;
     PendingExchange& operator=(const PendingExchange&) = delete;
-    /// Ends it if it has not ended.
+    /// Ends the exchange if it has not ended.
     ~PendingExchange();
 
-    /// Waits until all values have come. Once.
+    /// Waits until all values have arrived. May be called once.
     void end();
 
 private:
@@ -37,27 +38,29 @@ private:
     bool ended_{false};
 };
 
-/// A fixed table of values that cross ranks: who sends the value of which global id to whom (PetscSF underneath).
-/// Send and receive lists are separate; messages may go one way. Both lists ascend in global id.
+/// A fixed table of the values that cross ranks: for each global id, the rank that sends its value and the ranks that
+/// receive it. It is implemented with PetscSF. The send list and the receive list are separate, so messages may go one
+/// way only. Both lists ascend in global id.
 class ExchangePlan {
 public:
-    /// Collective. The one builder of every table that crosses ranks: `needed` are the global ids whose values this rank
-    /// reads and does not own, ascending, each once; `owner` says who sends each.
+    /// Collective. `needed` has the global ids whose values this rank reads and does not own, ascending, each once;
+    /// `owner` has the rank that sends each value. Every table that crosses ranks is built here.
     ExchangePlan(const Communicator& comm, std::vector<std::int64_t> needed, std::span<const Rank> owner);
 
     /// Global ids that this rank sends, ascending, each once.
     [[nodiscard]] std::span<const std::int64_t> sent() const { return sent_; }
     /// Global ids that this rank receives, ascending, each once.
     [[nodiscard]] std::span<const std::int64_t> received() const { return received_; }
-    /// What crosses to or from another rank.
+    /// The values that are sent to, or received from, one other rank.
     struct Side {
         Rank rank;
-        std::vector<std::size_t> places;  ///< in sent() or received(), ascending
+        std::vector<std::size_t> places;  ///< indices into sent() or received(), ascending
     };
-    /// By rank; only those that there is something for. The target's source has as many places, of the same ids.
+    /// In order of rank; only ranks with at least one value. The entry for rank r in targets() and the entry for this
+    /// rank in sources() of rank r have the same ids.
     [[nodiscard]] std::span<const Side> targets() const { return targets_; }
     [[nodiscard]] std::span<const Side> sources() const { return sources_; }
-    /// Ranks that this rank sends to or receives from.
+    /// Number of ranks that this rank sends to or receives from.
     [[nodiscard]] int neighbours() const { return neighbours_; }
     /// Values that leave this rank in one exchange (a value sent to two ranks counts twice).
     [[nodiscard]] std::int64_t values_sent() const { return values_sent_; }
@@ -67,7 +70,8 @@ public:
     void exchange(std::span<const T> values, std::span<T> received_values) const {
         begin(values, received_values).end();
     }
-    /// The same in two steps, for other work while the values travel. One exchange at a time.
+    /// Begins an exchange; its end() waits for the values, and other work may be done in between. One exchange at a
+    /// time.
     template <class T>
     [[nodiscard]] PendingExchange begin(std::span<const T> values, std::span<T> received_values) const {
         static_assert(std::is_trivially_copyable_v<T>);

@@ -10,13 +10,14 @@
 
 namespace cracksim::partition {
 
-/// Carries one value an entity from its owner to every rank that holds it as halo.
+/// Sends one value per entity from its owner to every rank that holds the entity as halo.
 class Halo {
 public:
     /// Collective.
     Halo(const Communicator& comm, const Decomposition& decomposition);
 
-    /// Collective. values has one value a local entity; those of halo entities are replaced by their owners'.
+    /// Collective. `values` has one value per local entity; the values of halo entities are replaced by those of their
+    /// owners.
     template <class T>
     void update(std::span<T> values) const {
         std::vector<T> sent;
@@ -46,7 +47,7 @@ private:
     std::vector<LocalEntity> sent_;
     std::vector<LocalEntity> received_;
     std::vector<Rank> holders_;
-    std::vector<std::size_t> holders_end_;  ///< by place in sent_
+    std::vector<std::size_t> holders_end_;  ///< by index in sent_
 };
 
 }  // namespace cracksim::partition

@@ -36,7 +36,7 @@ NeighbourMessages::NeighbourMessages(const Communicator& comm, const std::vector
 
 void NeighbourMessages::begin() {
     CRACKSIM_EXPECT(requests_.empty());
-    // Nothing may fail once receives are posted: their end would be waited for, for ever.
+    // Contracts are checked before receives are posted: after a failure the destructor would wait for them forever.
     for (const Outgoing& message : outgoing_) {
         CRACKSIM_EXPECT(message.values.size() <= message.longest);
     }

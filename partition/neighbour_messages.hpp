@@ -11,33 +11,34 @@
 
 namespace cracksim::partition {
 
-/// Messages of doubles between the same ranks again and again, each as long as it happens to be, up to a bound.
+/// Repeated messages of doubles between the same ranks. The length of each message may differ, up to a bound.
 class NeighbourMessages {
 public:
     struct Neighbour {
         Rank rank;
-        std::size_t longest;  ///< doubles
+        std::size_t longest;  ///< bound of the length, doubles
     };
 
-    /// targets: ranks that this one sends to; sources: those that send to it, with the bounds that they have for it. comm must
-    /// outlive this.
+    /// targets: ranks that this rank sends to; sources: ranks that send to this rank, with the same bounds as in their
+    /// own targets. `comm` must outlive this object.
     NeighbourMessages(const Communicator& comm, const std::vector<Neighbour>& targets,
                       const std::vector<Neighbour>& sources);
     NeighbourMessages(const NeighbourMessages&) = delete;
     NeighbourMessages& operator=(const NeighbourMessages&) = delete;
-    /// Ends what has begun.
+    /// Waits for the messages that have begun.
     ~NeighbourMessages();
 
-    /// What begin() sends to target i; stays until it is changed, but not between begin() and end().
+    /// The message that begin() sends to this target. It is kept until it is changed, and must not be changed between
+    /// begin() and end().
     [[nodiscard]] std::vector<double>& outgoing(std::size_t target) { return outgoing_[target].values; }
-    /// What came from source i by the last end().
+    /// The message that the last end() received from this source.
     [[nodiscard]] std::span<const double> incoming(std::size_t source) const {
         return std::span{incoming_[source].values}.first(incoming_[source].length);
     }
 
-    /// Every source must call it, too.
+    /// Begins to send and to receive. Every neighbour must call it too.
     void begin();
-    /// Waits until all messages have come, and the own ones are on their way.
+    /// Waits until all messages to this rank have arrived and those of this rank are sent.
     void end();
 
 private:
@@ -55,7 +56,7 @@ private:
     const Communicator* comm_;
     std::vector<Outgoing> outgoing_;
     std::vector<Incoming> incoming_;
-    std::vector<MPI_Request> requests_;  ///< first those of incoming_; empty: nothing has begun
+    std::vector<MPI_Request> requests_;  ///< requests of incoming_, then of outgoing_; empty if nothing has begun
 };
 
 }  // namespace cracksim::partition

@@ -11,20 +11,21 @@
 namespace cracksim::partition {
 
 Session::Session(int argc, char** argv) {
-    // A file that grows beyond a limit is then an error of that file, which is told, and not the end of the process.
+    // With SIGXFSZ ignored, a file that exceeds a size limit gives a write error, which is reported; the process goes
+    // on.
     std::signal(SIGXFSZ, SIG_IGN);
-    // Files may be written by a second thread, which never communicates.
+    // A second thread may write files; it never calls MPI.
     int provided = MPI_THREAD_SINGLE;
     MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
     if (provided < MPI_THREAD_FUNNELED) {
         throw std::runtime_error{"this MPI library allows no thread beside the one that communicates"};
     }
-    // PETSc's own handlers would answer signals and MPI errors with pages of text on every rank.
+    // PETSc's handlers of signals and MPI errors would print pages of text on every rank.
     if (PetscInitializeNoArguments() != 0) {
         throw std::runtime_error{"PETSc could not be started"};
     }
     PetscPopSignalHandler();
-    // Nor is a reader that is gone the end of the process: what cannot be told is an error of its own.
+    // With SIGPIPE ignored, writing to a closed pipe gives an error, which is reported; the process goes on.
     std::signal(SIGPIPE, SIG_IGN);
 }
 

@@ -7,7 +7,7 @@
 
 namespace cracksim::partition {
 
-/// MPI and PETSc from construction to destruction; one a process, in main.
+/// Starts MPI and PETSc on construction and ends them on destruction. One per process, in main.
 class Session {
 public:
     Session(int argc, char** argv);
@@ -15,9 +15,9 @@ public:
     Session& operator=(const Session&) = delete;
     ~Session();
 
-    /// All ranks.
+    /// The communicator of all ranks.
     [[nodiscard]] Communicator world() const;
-    /// Ends all ranks at once: for an error that only some ranks know of.
+    /// Ends all ranks at once, for an error that occurred on some ranks only.
     [[noreturn]] static void abort(int exit_code);
 };
 

@@ -4,8 +4,9 @@
 
 namespace cracksim::partition {
 
-/// While it lives, SIGTERM and SIGINT are requests, which the run may answer in its own time; a second one ends the process. One a
-/// process. mpirun passes its own SIGTERM on to the ranks, and two seconds later kills them.
+/// While this object exists, SIGTERM and SIGINT only set a flag, and the run stops when it reads the flag; the same
+/// signal a second time ends the process. One per process. mpirun forwards its own SIGTERM to the ranks and kills them
+/// two seconds later.
 class StopRequest {
 public:
     StopRequest();
@@ -13,7 +14,7 @@ public:
     StopRequest& operator=(const StopRequest&) = delete;
     ~StopRequest();
 
-    /// Has any rank got one? Collective.
+    /// True if any rank has received a signal. Collective.
     [[nodiscard]] bool is_made(const Communicator& comm) const;
 };
 

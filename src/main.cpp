@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
             std::fprintf(stderr, "cracksim: %s\n", text);
         }
     };
-    // The other ranks know nothing of it and would wait for ever.
+    // The other ranks do not have this error and would wait forever.
     const auto end_all_ranks = [&](const char* text) {
         std::fprintf(stderr, "cracksim: rank %d: %s\n", comm.rank().value(), text);
         if (comm.size() > 1) {

@@ -11,15 +11,17 @@
 
 namespace cracksim {
 
-/// Where a face of an entity leads: face corner k (place in the cycle) meets place_met(rotation, k) of the neighbour's face.
+/// The neighbour across a face of an entity: place k of the face's cycle of corners meets place_met(rotation, k) of the
+/// neighbour's cycle.
 struct FaceNeighbour {
     EntityId entity;
     int face;
     int rotation;
 };
 
-/// The block as the scene gives it: a regular grid of hexahedra. It knows who meets whom and where every corner rests,
-/// for any global id, without storing anything per entity. Physics, topology and partition are all built from it.
+/// The block that the scene describes: a regular grid of hexahedra. It computes the neighbours and the corners' rest
+/// positions of any global entity id and stores nothing per entity. Physics, topology and partition are all built from
+/// it.
 class Block {
 public:
     /// cells: entities along x, y, z (each >= 1); edge: lengths in m (> 0); origin: lower corner in m.
@@ -40,15 +42,15 @@ public:
 
     [[nodiscard]] std::array<std::int64_t, 3> cell(EntityId entity) const;
     [[nodiscard]] EntityId entity(std::array<std::int64_t, 3> cell) const;
-    /// Empty on the block's boundary.
+    /// The neighbour across a face; empty on the block's boundary.
     [[nodiscard]] std::optional<FaceNeighbour> neighbour(EntityId entity, int face) const;
 
     [[nodiscard]] VertexId vertex(EntityId entity, int corner) const;
     /// The entities that meet at a vertex, in ascending order.
     [[nodiscard]] std::vector<EntityId> around(VertexId vertex) const;
-    /// No other entity meets at this corner: it is one of the block's own.
+    /// True if the corner is a corner of the block, where no other entity meets.
     [[nodiscard]] bool is_corner(EntityId entity, int corner) const;
-    /// Rest position, m: the same bits from every entity that meets at the corner.
+    /// Rest position, m; bitwise the same for every entity that meets at the corner.
     [[nodiscard]] Vec3 position(EntityId entity, int corner) const;
     /// Rest position of an entity's centre, m.
     [[nodiscard]] Vec3 centre(EntityId entity) const;
@@ -59,7 +61,7 @@ private:
     Vec3 origin_;
 };
 
-/// The masses of an entity are its corners: 8 * entity + corner , corners in VTK order.
+/// The masses of an entity are at its corners: mass id = 8 * entity + corner, with corners in VTK order.
 [[nodiscard]] constexpr MassId mass_id(EntityId entity, int corner) {
     return MassId{entity.value() * Hexahedron::corners + corner};
 }

@@ -1,11 +1,12 @@
 #pragma once
 
-/// Contracts by role: EXPECT (what a caller owes), ASSERT (inside), ENSURE (what a function owes).
-/// They are on in builds with CRACKSIM_CONTRACTS and cost nothing elsewhere; user data is checked by errors.hpp, always.
+/// Contracts by role: EXPECT is a precondition, ASSERT an invariant, ENSURE a postcondition.
+/// They are checked in builds with CRACKSIM_CONTRACTS and cost nothing in other builds. User data are checked in every
+/// build, with the exceptions of errors.hpp.
 
 namespace cracksim {
 
-/// Prints the broken contract with its place and aborts.
+/// Prints the violated contract with its file and line, and aborts.
 [[noreturn]] void contract_violated(const char* role, const char* condition, const char* file, int line);
 
 }  // namespace cracksim

@@ -2,7 +2,7 @@
 
 namespace cracksim {
 
-/// Numbers too small for full precision become zero from now on in this thread, as they must on every rank alike.
+/// Makes this thread treat subnormal numbers as zero from now on. Every rank must call it.
 void flush_subnormals_to_zero();
 
 }  // namespace cracksim

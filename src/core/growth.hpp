@@ -4,7 +4,8 @@
 
 namespace cracksim {
 
-/// Before a list grows by some: where there is no room, room for an eighth more. Takes less memory than doubling.
+/// Makes room for `count` more elements. If the capacity is too small, reserves an eighth more than the new size, which
+/// takes less memory than doubling.
 void make_room(auto& list, std::size_t count) {
     const std::size_t size = list.size() + count;
     if (size > list.capacity()) {

@@ -5,7 +5,8 @@
 
 namespace cracksim {
 
-/// A bijection of 64 bits whose output bits all depend on all input bits (the finalizer of SplitMix64, Steele et al. 2014).
+/// A bijection of 64-bit integers in which every output bit depends on all input bits (the finalizer of SplitMix64,
+/// Steele et al. 2014).
 [[nodiscard]] constexpr std::uint64_t mix(std::uint64_t v) {
     v += 0x9e3779b97f4a7c15ULL;
     v = (v ^ (v >> 30U)) * 0xbf58476d1ce4e5b9ULL;
@@ -13,7 +14,7 @@ namespace cracksim {
     return v ^ (v >> 31U);
 }
 
-/// Chains a value into a hash; the order of the calls counts.
+/// Adds a value to a hash; the result depends on the order of the calls.
 [[nodiscard]] constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t value) { return mix(hash ^ mix(value)); }
 
 [[nodiscard]] constexpr std::uint64_t bits(double v) { return std::bit_cast<std::uint64_t>(v); }

@@ -4,21 +4,23 @@
 
 namespace cracksim {
 
-/// The reference hexahedron: corners in VTK order; each face is a cycle of corners seen from outside, counter-clockwise.
-/// Face 2 * axis is the lower face of its axis, 2 * axis + 1 the upper one, so face ^ 1 is the opposite.
+/// The reference hexahedron. Corners are in VTK order. Each face is a cycle of corners, counter-clockwise as seen from
+/// outside. Face 2 * axis is the lower face of its axis and 2 * axis + 1 the upper face, so face ^ 1 is the opposite
+/// face.
 struct Hexahedron {
     static constexpr int corners = 8;
     static constexpr int faces = 6;
     static constexpr int face_corners = 4;
 
-    /// Corner offsets along x, y, z in edges.
+    /// Offsets of the corners along x, y, z, in edge lengths.
     static constexpr std::array<std::array<int, 3>, corners> offset{
         {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
 
     static constexpr std::array<std::array<int, face_corners>, faces> face{
         {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
 
-    /// The corner at the other end of the edge along `axis` from `corner`: this order differs in the same bits for all corners.
+    /// The corner at the other end of the edge along `axis` from `corner`. In VTK order the two corners of an edge
+    /// differ in the same bits for all edges along an axis.
     static constexpr int across(int corner, int axis) {
         constexpr std::array<unsigned, 3> bits{1, 3, 4};
         return static_cast<int>(static_cast<unsigned>(corner) ^ bits[static_cast<std::size_t>(axis)]);

@@ -6,7 +6,7 @@
 
 namespace cracksim {
 
-/// A strong integer id: ids of two Tags never mix, and arithmetic is asked for by value().
+/// A strongly typed integer id: ids with different Tags do not mix, and arithmetic needs value().
 template <class Tag, class Rep>
 class Id {
 public:

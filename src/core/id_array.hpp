@@ -33,7 +33,7 @@ private:
     std::vector<T> data_;
 };
 
-/// The place of a global id among ascending ones, if it is there.
+/// The index of a global id in an ascending list, if it is there.
 template <class Local, class Global>
 [[nodiscard]] std::optional<Local> find_local(const IdArray<Local, Global>& ascending, Global id) {
     const auto place = std::lower_bound(ascending.begin(), ascending.end(), id);

@@ -6,12 +6,12 @@
 
 namespace cracksim {
 
-/// Global ids: the same on every rank, whatever the partition. A default-made id is -1: none.
+/// Global ids are the same on every rank and for every partition. A default-constructed id is -1, which means none.
 using EntityId = Id<struct EntityTag, std::int64_t>;
 using MassId = Id<struct MassTag, std::int64_t>;
 using VertexId = Id<struct VertexTag, std::int64_t>;
 
-/// Places in this rank's lists. Local entities stand in ascending order of their global ids.
+/// Indices into this rank's lists. Local entities are in ascending order of their global ids.
 using LocalEntity = Id<struct LocalEntityTag, std::int32_t>;
 using LocalMass = Id<struct LocalMassTag, std::int32_t>;
 

@@ -4,7 +4,7 @@
 
 namespace cracksim {
 
-/// Sorts a list and leaves each value once.
+/// Sorts a list and removes repeated values.
 void sort_and_make_unique(auto& list) {
     std::ranges::sort(list);
     list.erase(std::unique(list.begin(), list.end()), list.end());

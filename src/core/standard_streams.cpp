@@ -6,7 +6,7 @@
 namespace cracksim {
 
 void guard_standard_streams() {
-    // The lowest free descriptor is taken. To read: writing to it fails, as it did.
+    // open() takes the lowest free descriptor. O_RDONLY, so that writing to it still fails.
     int descriptor = 0;
     while (descriptor >= 0 && descriptor <= STDERR_FILENO) {
         descriptor = open("/dev/null", O_RDONLY);

@@ -2,8 +2,8 @@
 
 namespace cracksim {
 
-/// No file that is opened from now on takes the place of a standard stream that was closed from the start; writing to such a
-/// stream fails as it did.
+/// Ensures that no file that is opened from now on takes the descriptor of a standard stream that was closed when the
+/// process started. Writing to such a stream still fails.
 void guard_standard_streams();
 
 }  // namespace cracksim

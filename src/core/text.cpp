@@ -17,13 +17,9 @@ std::string formatted(const char* format, Values... values) {
 
 }  // namespace
 
-std::string hex(std::uint64_t value) {
-    return formatted("%016llx", static_cast<unsigned long long>(value));
-}
+std::string hex(std::uint64_t value) { return formatted("%016llx", static_cast<unsigned long long>(value)); }
 
-std::string rounded(double value, int digits) {
-    return formatted("%.*g", digits, value);
-}
+std::string rounded(double value, int digits) { return formatted("%.*g", digits, value); }
 
 std::string bytes_text(double bytes) {
     if (bytes < 1e6) {

@@ -5,10 +5,10 @@
 
 namespace cracksim {
 
-/// 16 hexadecimal digits, as hashes are shown.
+/// The value in 16 hexadecimal digits.
 [[nodiscard]] std::string hex(std::uint64_t value);
 
-/// A number for people, with at most so many significant digits.
+/// A number as text with at most `digits` significant digits.
 [[nodiscard]] std::string rounded(double value, int digits = 4);
 
 /// "950 MB", "1.2 GB", "3.4 TB".
