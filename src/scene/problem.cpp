@@ -47,9 +47,9 @@ void refuse_above_limit(std::int64_t entities_of_a_rank) {
     }
 }
 
-/// The places of a block's vertices in rows along x are numbered, with all their planes, in 32 bits on each rank.
+/// Each rank indexes the vertex sites of its rows along x, times the number of layers, with 32 bits.
 void refuse_long_rows(const Block& block, int ranks) {
-    // The largest part may be a quarter above the mean.
+    // The largest rank may hold a quarter more than the mean.
     constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max() / physics::layers * std::int64_t{4} / 5;
     const auto [nx, ny, nz] = block.cells();
     const std::int64_t padded = (nx / physics::Lattice::lanes + 1) * physics::Lattice::lanes;
@@ -60,13 +60,13 @@ void refuse_long_rows(const Block& block, int ranks) {
     }
 }
 
-/// In single precision what is squared must stay below 1e38.
+/// In single precision, squares must stay below 1e38.
 bool is_fit(Vec3 value, bool single) {
     constexpr double largest = 1e18;
     return is_finite(value) && !(single && norm(value) > largest);
 }
 
-/// The first thing that is wrong with this rank's part of the problem.
+/// The first error in this rank's part of the problem, if any.
 std::optional<std::string> finding(const physics::Network& network, const Scene& scene) {
     const Places& places = scene.places;
     const physics::Initial initial = initial_fields(scene);

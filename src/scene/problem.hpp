@@ -11,15 +11,15 @@
 
 namespace cracksim::scene {
 
-/// The step of a scene and the bound that certifies it.
+/// The time step of a scene and the stability bound that certifies it.
 struct CertifiedStep {
     double step;  ///< s
     physics::StepBound bound;
-    std::int64_t steps;   ///< to the end of the scene
-    std::string warning;  ///< empty: the step keeps the usual distance from the bound
+    std::int64_t steps;   ///< number of steps to the end of the scene
+    std::string warning;  ///< empty if the step has the usual safety margin below the bound
 };
 
-/// Throws InputError for a step above the bound unless the scene allows it.
+/// Throws InputError if the step is above the bound, unless the scene allows it.
 [[nodiscard]] CertifiedStep certify_step(const Scene& scene);
 
 [[nodiscard]] physics::EntityModel entity_model(const Scene& scene);
@@ -28,13 +28,13 @@ struct CertifiedStep {
 
 [[nodiscard]] io::Summary::Counts scene_counts(const Scene& scene);
 
-/// Throws InputError if the entities are more than the lists of so many ranks can number, however they are shared out.
+/// Throws InputError if the block has more entities than this number of ranks can index, whatever the partition.
 void check_size(const Block& block, int ranks);
-/// Collective. Throws InputError if a rank holds more entities than its lists can number.
+/// Throws InputError if a rank holds more entities than it can index. Collective.
 void check_size(const partition::Communicator& comm, const partition::Decomposition& decomposition);
 
-/// The network of this rank's entities. Collective: throws InputError on all ranks for a threshold that is not above zero
-/// or supports that contradict each other anywhere.
+/// Builds the network of this rank's entities. Throws InputError on all ranks if on any rank a threshold is not above
+/// zero, supports contradict each other, or initial fields are not finite. Collective.
 [[nodiscard]] physics::Network build_network(const partition::Communicator& comm, const Scene& scene,
                                              const partition::Decomposition& decomposition);
 
