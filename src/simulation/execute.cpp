@@ -28,7 +28,7 @@ namespace cracksim::simulation {
 
 namespace {
 
-/// The text of the input, read by the root. Collective.
+/// The text of the input, which the root reads and broadcasts. Collective.
 std::string read_input(const partition::Communicator& comm, const std::filesystem::path& path) {
     std::string text;
     std::optional<std::string> problem;
@@ -57,7 +57,7 @@ void tell(io::Log& log, const std::vector<std::string>& lines) {
     }
 }
 
-/// What a run, or its forecast, begins with on the terminal.
+/// Prints the first lines of a run or of a dry run: version, overview and warnings.
 void announce(io::Log& log, const CommandLine& command, const scene::Scene& scene, const scene::CertifiedStep& certified, int ranks,
               const forecast::Forecast& forecast) {
     log.info(io::version_line() + ": " + (scene.title.empty() ? command.input.string() : scene.title));
@@ -67,10 +67,10 @@ void announce(io::Log& log, const CommandLine& command, const scene::Scene& scen
     }
 }
 
-/// The most entities that --dry-run builds: some seconds, some hundred megabytes.
+/// The largest block, in entities, that --dry-run builds: a few seconds and a few hundred megabytes.
 constexpr std::int64_t most_built_to_forecast = 1'000'000;
 
-/// What building the block would refuse, known without building it.
+/// Throws the errors that building the block would throw, as far as they can be found without building it.
 void check_unbuilt(const scene::Scene& scene, int ranks) {
     scene::check_size(scene.block, ranks);
     const auto refusal = partition::metis_refusal(scene.block);
@@ -79,7 +79,7 @@ void check_unbuilt(const scene::Scene& scene, int ranks) {
     }
 }
 
-/// A run whose end is to be told.
+/// A run that has finished and must be reported.
 struct FinishedRun {
     const partition::Communicator& comm;
     const Simulation& simulation;
@@ -93,7 +93,8 @@ struct FinishedRun {
     }
 };
 
-/// What could not be written is told beside why the run is invalid, which the summary says in any case.
+/// Writes the summary of an invalid run. If files cannot be completed, the error is only logged, and the summary still
+/// gives the reason why the run is invalid.
 void report_invalid(const FinishedRun& ending, const InvalidRun& invalid, io::Log& log) {
     try {
         ending.files.finish();
@@ -108,7 +109,7 @@ void report_invalid(const FinishedRun& ending, const InvalidRun& invalid, io::Lo
     ending.write(summary);
 }
 
-/// Does what can be done on a disk that may be full: why the run ended is told already.
+/// Runs an action and ignores its SharedError: the disk may be full, and the reason of the stop is already logged.
 void if_possible(const std::function<void()>& action) {
     try {
         action();
@@ -124,7 +125,7 @@ void report_stopped(const FinishedRun& ending, const SharedError& error) {
     if_possible([&] { ending.files.finish(); });
 }
 
-/// Returns the exit code.
+/// Runs a simulation, writes its files and reports its end. Returns the exit code.
 int run_with_files(const partition::Communicator& comm, Simulation& simulation, const forecast::Forecast& forecast,
                    const io::RunDirectory& directory, io::Log& log, ProgressStyle style) {
     Progress progress{log, style};
@@ -148,7 +149,7 @@ int run_with_files(const partition::Communicator& comm, Simulation& simulation, 
     return 0;
 }
 
-/// Returns the exit code.
+/// Reads and checks the scene, then runs or forecasts it. Returns the exit code.
 int follow(const partition::Communicator& comm, const CommandLine& command, io::Log& log) {
     const std::int64_t best = physics::best_simd_target();
     physics::limit_simd_target(comm.min(std::min(best, command.simd_target.value_or(best))));
@@ -194,7 +195,7 @@ int follow(const partition::Communicator& comm, const CommandLine& command, io::
     return run_with_files(comm, *simulation, found, directory, log, command.progress);
 }
 
-/// The exit code when all is said: what could not be said is no success. Collective.
+/// The final exit code: 1 instead of 0 if a rank could not print to the terminal. Collective.
 int closing_code(const partition::Communicator& comm, const io::Log& log, int code) {
     const bool unsaid = comm.any(log.lost_terminal());
     return unsaid && code == 0 ? 1 : code;
