@@ -123,7 +123,7 @@ void Dynamics::audit(const partition::Audit& audit) const {
     std::vector<std::int32_t> reads(static_cast<std::size_t>(network_.mass_count()), 0);
     const auto& unions = state_.unions;
     for (const physics::LocalUnion s : unions.advanced()) {
-        // The sweep adds a mass's force where its union says; the list of the union must agree.
+        // The sweep adds a mass's force to union_of(mass); the list of masses of that union must contain the mass.
         unions.for_each_mass(s, [&](LocalMass m) { reads[m.index()] += unions.union_of(m) == s ? 1 : 2; });
     }
     const auto view = [&](LocalMass m) {

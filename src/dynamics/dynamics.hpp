@@ -40,21 +40,22 @@ private:
     const physics::State& state_;
 };
 
-/// Where physics and partition meet: the network's motion on all ranks, step by step.
-/// A step is  break_duplets(); ... ; advance();  between the two, everything is at state n.
+/// The motion of the network on all ranks, step by step; connects physics and partition.
+/// A step is  act(); ... ; advance();  between act and advance, everything is at state n.
 class Dynamics {
 public:
-    /// Collective. Throws InputError on all ranks alike. comm and stopwatch must outlive this.
+    /// Collective. Throws InputError on all ranks. comm and stopwatch must outlive this.
     Dynamics(const partition::Communicator& comm, const scene::Scene& scene, double step_size, Stopwatch& stopwatch);
 
     Dynamics(const Dynamics&) = delete;
     Dynamics& operator=(const Dynamics&) = delete;
 
-    /// The forces at the start.
+    /// Computes the forces at the start.
     void compute_forces();
-    /// Sensing and splits at the current state. No communication.
+    /// Evaluates the sensors at the current state, breaks the triggered duplets and splits unions. No communication.
     void break_duplets();
-    /// The explicit step of every union, received ones from the owners of their entities, and the forces at the new state. Collective.
+    /// Advances every union by one explicit step and computes the forces at the new state. Received unions take their
+    /// increments from the owners of their entities. Collective.
     void advance(physics::Measure measure);
 
     [[nodiscard]] const partition::Decomposition& decomposition() const { return decomposition_; }
@@ -72,19 +73,20 @@ public:
     }
     [[nodiscard]] MassEvolution evolution() const { return {network_, state_}; }
 
-    /// Splits of this rank's touched unions since the last call.
+    /// Returns the splits of this rank's touched unions since the last call.
     [[nodiscard]] physics::SplitStream take_splits();
-    /// Events since the last call that this rank reports: duplets whose smaller mass it owns.
+    /// Returns the events since the last call that this rank reports: those of duplets whose smaller mass it owns.
     [[nodiscard]] std::vector<physics::DupletEvent> take_events();
 
-    /// Over this rank's reported events so far.
+    /// Count and hash of the events that this rank has reported so far.
     [[nodiscard]] std::int64_t inactive_duplets() const { return inactive_duplets_; }
     [[nodiscard]] std::uint64_t event_hash() const { return event_hash_; }
-    /// Unions split so far that this rank reports (it owns their smallest mass), and the parts they left beyond the first.
+    /// Number of splits so far that this rank reports (it owns the union's smallest mass), and the number of unions
+    /// that these splits added.
     [[nodiscard]] std::int64_t splits() const { return splits_; }
     [[nodiscard]] std::int64_t parts_gained() const { return parts_gained_; }
 
-    /// Collective; throws SharedError with what was found.
+    /// Checks the exchange between ranks. Throws SharedError with the first finding. Collective.
     void audit(const partition::Audit& audit) const;
 
 private:

@@ -19,33 +19,34 @@
 
 namespace cracksim::dynamics {
 
-/// Brings the motion of the received masses from the owners of their entities: of each union once. Both sides of a message keep the
-/// unions of its masses, and send each other new part numbers, so that a message needs no ids.
+/// Transfers the motion of the received masses from the owners of their entities, once for each union. The sender and
+/// the receiver of a message keep the same list of unions, and the sender transmits changed parts, so a message needs
+/// no ids.
 class MotionExchange {
-    // A message holds the number of new part numbers and the fingerprint of all part numbers, new ones included; place and part number
-    // of each new one; the increment of each union.
+    // A message contains the number of changed parts, the fingerprint of all parts after the changes, the place and the
+    // part of each mass whose part changed, and the increment of each union.
     static constexpr std::size_t doubles_of_header = 2;
     static constexpr std::size_t doubles_of_part = 2;
     static constexpr std::size_t doubles_of_increment = 3;
 
 public:
-    /// Bytes a mass of a message whose masses all part at once.
+    /// Bytes for each mass in the longest message: the part of every mass changes, and every mass is a union.
     static constexpr std::size_t longest_per_mass = sizeof(double) * (doubles_of_part + doubles_of_increment);
-    /// Bytes of messages that carry the increments of these unions and no new part numbers.
+    /// Bytes of messages that contain the increments of `unions` unions and no changed parts.
     [[nodiscard]] static constexpr std::int64_t bytes_of_step(std::int64_t messages, std::int64_t unions) {
         constexpr auto header = static_cast<std::int64_t>(sizeof(double) * doubles_of_header);
         constexpr auto increment = static_cast<std::int64_t>(sizeof(double) * doubles_of_increment);
         return messages * header + unions * increment;
     }
 
-    /// Collective.
+    /// Collective. The state must have the parts of the received masses.
     MotionExchange(const partition::Communicator& comm, const physics::Network& network,
                    const partition::Decomposition& decomposition, const physics::State& state);
 
     [[nodiscard]] const partition::ExchangePlan& plan() const { return plan_; }
-    /// Unions whose motion leaves this rank in one step, at the start; one that is sent to two ranks counts twice.
+    /// Number of unions whose motion this rank sends in one step, at the start; a union sent to two ranks counts twice.
     [[nodiscard]] std::int64_t unions_sent_at_start() const { return unions_sent_at_start_; }
-    /// Bytes sent by all calls of next_increments so far.
+    /// Bytes that all calls of next_increments have sent so far.
     [[nodiscard]] std::int64_t bytes_sent() const { return bytes_sent_; }
 
     /// Sets the parts of the received masses to those of their owners, before the first forces of a body that may have broken.
@@ -55,15 +56,16 @@ public:
     /// Sets the increments of the received masses to those of their owners, at a start or a restart. Collective.
     void share_increments(const physics::Network& network, const partition::Decomposition& decomposition,
                           physics::State& state) const;
-    /// Takes over the labels of the received masses; returns their next increments for physics::advance, valid until the next call.
-    /// Books the time that it waits for other ranks. Throws std::logic_error if an owner knows other labels than this rank. Collective.
+    /// Sets the changed parts of the received masses. Returns their next increments for Engine::advance, valid until the next
+    /// call. Adds the time spent waiting for other ranks to Phase::waiting. Throws std::logic_error if an owner has other
+    /// parts of these masses than this rank. Collective.
     [[nodiscard]] std::span<const Vec3> next_increments(const physics::Network& network, physics::State& state,
                                                         physics::Engine& engine, Stopwatch& stopwatch);
 
 private:
-    /// The parts of a message.
+    /// The sections of a message.
     struct MessageView {
-        /// Throws std::logic_error if the message is shorter than it says.
+        /// Throws std::logic_error if the message is shorter than its header states.
         explicit MessageView(std::span<const double> message);
 
         std::uint64_t fingerprint;
@@ -71,14 +73,14 @@ private:
         std::span<const double> increments;
     };
 
-    /// Places for the longest messages.
+    /// The neighbours with the lengths of the longest messages.
     [[nodiscard]] static std::vector<partition::NeighbourMessages::Neighbour> neighbours(
         std::span<const partition::ExchangePlan::Side> sides);
     void write(const physics::State& state, const physics::Engine& engine, std::size_t target);
     void read_parts(const physics::Network& network, physics::State& state, physics::Engine& engine);
     void set_parts(const physics::Network& network, std::span<const physics::ReceivedPart> parts, physics::State& state,
                    physics::Engine& engine);
-    /// Call after read_parts.
+    /// Must follow read_parts().
     void read_increments(std::size_t source);
 
     partition::ExchangePlan plan_;

@@ -14,20 +14,20 @@ enum class Phase : std::uint8_t {
     update,
     sense,
     exchange,
-    waiting,  ///< for other ranks' messages; a part of exchange
+    waiting,  ///< for messages of other ranks; included in exchange
     topology,
     geometry,
     output,
     count
 };
 
-/// Wall-clock seconds by phase, on this rank.
+/// Wall-clock time of this rank by phase, s.
 class Stopwatch {
 public:
     [[nodiscard]] double total() const { return seconds(start_, Clock::now()); }
     [[nodiscard]] double in(Phase phase) const { return spent_[static_cast<std::size_t>(phase)]; }
 
-    /// Runs an action and books its time.
+    /// Runs an action and adds its time to a phase.
     template <class Action>
     decltype(auto) time(Phase phase, Action&& action) {
         const Booking booking{spent_[static_cast<std::size_t>(phase)]};

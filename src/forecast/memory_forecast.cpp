@@ -20,16 +20,18 @@ namespace cracksim::forecast {
 
 namespace {
 
-// Measured; all else follows from the sizes of what is held.
+// These constants are measured; everything else follows from the sizes of the stored types.
 
-/// What libraries take when they are first used (HDF5, messages, code) beside the block.
+/// Memory that libraries (HDF5, MPI, code pages) take at their first use, in addition to the block.
 constexpr double libraries_in_use = 6e6;
-/// What they take for a while where no block gave them room, with the thread that writes, over what the process held before: the
-/// peak of runs of 1 to 224 entities, 10.0 to 11.2 MB on 1, 2 and 4 ranks; without that thread another machine took 0.6 MB less.
+/// Lower limits of the peak above process_bytes, for blocks too small to leave reusable memory for the libraries and
+/// the worker thread. Measured: peaks of runs of 1 to 224 entities, 10.0 to 11.2 MB on 1, 2 and 4 ranks; without the
+/// thread, 0.6 MB less on another machine.
 constexpr Range least_in_use{8'900'000, 12'000'000};
-/// Per entity of the whole block, on the root: the graph, and METIS's coarser graphs; the peak of 800,000 entities on 8 ranks.
+/// Bytes for each entity of the whole block, on the root: the graph and METIS's coarser graphs. Measured at the peak of
+/// 800,000 entities on 8 ranks.
 constexpr double metis_per_entity = 180;
-/// Per mass that is sent or received, beside what the exchange of motion keeps of it: ids, PetscSF's lists and buffers.
+/// Bytes for each sent or received mass in addition to the data of MotionExchange: ids, PetscSF's lists and buffers.
 constexpr double exchange_per_mass = 45;
 
 constexpr double duplets = physics::duplets_per_face;
@@ -45,12 +47,12 @@ double number_bytes(const scene::Time& time) {
 
 double masses(const RankCounts& counts) { return Hexahedron::corners * number(counts.local); }
 
-/// A factor does not change an infinite threshold.
+/// Also true with Weibull factors if the threshold is infinite, because a factor does not change it.
 bool has_one_threshold(const scene::SensorSettings& sensors) {
     return sensors.threshold.is_constant() && (!sensors.weibull || std::isinf(sensors.threshold({}, 0)));
 }
 
-/// But for the lattice, which is in state_bytes.
+/// The network without the lattice; state_bytes() includes the lattice.
 double network_bytes(const RankCounts& counts, bool one_threshold) {
     constexpr double per_entity = sizeof(EntityId) + sizeof(std::uint8_t) + Hexahedron::faces * sizeof(std::int32_t);
     const double thresholds = one_threshold ? 0 : duplets * sizeof(double);
@@ -59,10 +61,10 @@ double network_bytes(const RankCounts& counts, bool one_threshold) {
            number(counts.received) * (sizeof(LocalMass) + sizeof(std::size_t) + sizeof(physics::ReceivedUnions::Entry));
 }
 
-/// What grows with the splits is given an eighth of room; on average half of that is left.
+/// Arrays that grow with the splits get an eighth of spare capacity; on average half of it is unused.
 constexpr double with_room = 1 + 1.0 / 16;
 
-/// Rows with their void places; the base layer has a place for every vertex.
+/// The state, with the void sites of the rows; the base layer has a place for every vertex site.
 double state_bytes(const RankCounts& counts, const scene::Time& time) {
     constexpr double lanes = physics::Lattice::lanes;
     constexpr double per_entity = Hexahedron::corners * sizeof(std::uint8_t) + sizeof(std::int32_t);
@@ -77,14 +79,14 @@ double state_bytes(const RankCounts& counts, const scene::Time& time) {
            number(counts.vertex_sites) * (per_vertex + components * number_bytes(time)) + number(counts.interior_faces);
 }
 
-/// Motions of unions off the base layer.
+/// Motions of unions outside the base layer.
 double pooled_motion_bytes(const RankCounts& counts, const scene::Time& time, double opened) {
     const double components = physics::Pooled::together * (time.scheme == physics::Scheme::ab2 ? 4 : 3);
     const double unions = masses(counts) * (physics::layers - 1) / physics::layers;
     return opened * unions * with_room * (components * number_bytes(time) + sizeof(physics::PoolPlace));
 }
 
-/// The same, and what finds them.
+/// Motions of unions outside the base layer and their indexes by vertex and by entity.
 double pool_bytes(const RankCounts& counts, const scene::Time& time, double opened) {
     constexpr double per_vertex = with_room * physics::layers * sizeof(physics::PoolPlace);
     constexpr double per_site = with_room * sizeof(physics::PooledCorners) / physics::Lattice::half;
@@ -92,13 +94,15 @@ double pool_bytes(const RankCounts& counts, const scene::Time& time, double open
     return pooled_motion_bytes(counts, time, opened) + opened * lists;
 }
 
-/// While all that opens does so at once: the sensors over its edges, and the pool twice as it is put in order.
+/// Temporary memory while all faces open at once: the sensors at their edges, and a second copy of the pool while it is
+/// reordered.
 double breaking_bytes(const RankCounts& counts, const scene::Time& time, double opened) {
     return opened * number(counts.interior_faces) * with_room * physics::StretchedSensors::bytes_per_face() +
            pooled_motion_bytes(counts, time, opened);
 }
 
-/// Links, masks, unions by mass, the search for what came off, twice a tree and trees, and the free faces with what finds them.
+/// The coat: links, sewn masks, unions by mass, the search for replacement edges, two spanning forests (components and
+/// fragments), and the free faces with their index.
 double coat_bytes(const RankCounts& counts, double opened) {
     constexpr double search = sizeof(LocalEntity) + sizeof(std::int32_t);
     constexpr double per_entity = Hexahedron::faces * sizeof(topology::FaceLink) + sizeof(std::uint8_t) +
@@ -118,15 +122,16 @@ double distribution_bytes(const RankCounts& counts) {
            number(counts.received) * sizeof(Vec3);
 }
 
-/// Before the rank has anything else: the owner of every entity of the block, a mark for each, and on the root what METIS takes.
+/// The partition, before anything else is built: the owner of every entity of the block, a mark for each, and on the
+/// root the memory of METIS.
 double partition_bytes(const scene::Scene& scene, const RankSetting& setting) {
     const bool by_metis = setting.is_root && setting.ranks > 1 && scene.partition == scene::PartitionKind::metis;
     return number(scene.block.entity_count()) *
            (sizeof(Rank) + sizeof(std::uint8_t) + (by_metis ? metis_per_entity : 0.0));
 }
 
-/// Cells of a frame that a rank makes of its own entities, and that it files by their ids: the first run of ids has the lower side
-/// of the block, so it has the most.
+/// The numbers of cells of a frame that a rank makes from its own entities, and that it files by their ids (see
+/// mesh_assembly.cpp). The first range of ids contains the lower side of the block, so its rank files most.
 struct Share {
     double made;
     double filed;
@@ -149,8 +154,9 @@ Share share_of(const scene::Scene& scene, const SeriesForecast& series, const Ra
     return {number(counts.boundary_faces) + inside * number(counts.owned) / all, first + inside / ranks};
 }
 
-/// The busiest moment of the assembly of a mesh: records of points (or cells) as made, sorted out by rank and joined for the
-/// message; as received, and split by rank; beside them the records of cells (or points).
+/// The peak of the assembly of a mesh. The records of points (or of cells) exist three times on the sending side (as
+/// made, divided by rank, and concatenated for the message) and twice on the receiving side (as received, and divided
+/// by rank), in addition to the records of cells (or of points).
 double assembly_bytes(const Share& cells, double corners) {
     const double cell = sizeof(surface::CellRecord);
     const double point = corners * sizeof(surface::PointRecord);
@@ -159,7 +165,8 @@ double assembly_bytes(const Share& cells, double corners) {
     return std::max(while_points, while_cells);
 }
 
-/// A small frame is gathered: the root has it whole, one of its arrays (a value for each corner of a cell) twice.
+/// Small frames are gathered: the root holds the whole frame, and one of its arrays (a value for each corner of a cell)
+/// twice.
 double gathering_bytes(const SeriesForecast& series, const RankSetting& setting, double cells, double frame) {
     const bool gathered = setting.is_root && frame < number(io::FrameWriter::default_gather_below);
     const double share = frame / setting.ranks;
@@ -171,8 +178,9 @@ bool is_kept(const SeriesForecast& series, double cells) {
     return is_surface && surface::SurfaceFrames::fit(series.cells, std::llround(cells));
 }
 
-/// Of a surface that is kept from frame to frame: points and what is told, as lists and packed; on the root what all have told, in the
-/// same way, and the whole of it with its keys, its order and the part that is the crack.
+/// The memory of a surface that is kept between frames. Each rank holds its points and its update, as lists and packed.
+/// The root also holds the updates of all ranks, as lists and packed, and the gathered surface with its keys, its order
+/// and the crack mesh.
 double keeping_bytes(const SeriesForecast& series, const RankSetting& setting, double made, double opened) {
     constexpr double cell_told = sizeof(surface::SurfaceUpdate::Face) + sizeof(EntityId);
     constexpr double point_told = sizeof(MassId) + sizeof(Vec3);
@@ -187,7 +195,7 @@ double keeping_bytes(const SeriesForecast& series, const RankSetting& setting, d
     return here + (setting.is_root ? whole : 0);
 }
 
-/// The series that takes most.
+/// The memory of the series that takes most.
 double frame_bytes(const scene::Scene& scene, const RankCounts& counts, const RankSetting& setting, double opened) {
     double most = 0;
     for (const SeriesForecast& series : forecast_series(scene, scene::count_without_notches(scene))) {
@@ -202,7 +210,8 @@ double frame_bytes(const scene::Scene& scene, const RankCounts& counts, const Ra
     return most;
 }
 
-/// The events of a coat: as told by the rank, and on the root all of them gathered, sorted, and as columns of the file.
+/// The events of a coat: on each rank its own events; on the root the events of all ranks, as gathered, as sorted, and
+/// as columns of the file.
 double event_bytes(const scene::Scene& scene, const RankCounts& counts, const RankSetting& setting, double opened) {
     constexpr double event = sizeof(physics::DupletEvent);
     constexpr double part = 3 * sizeof(std::int64_t);
@@ -229,8 +238,8 @@ double model_bytes(const scene::Scene& scene, const RankCounts& counts, double o
 std::int64_t peak_bytes(const scene::Scene& scene, const RankCounts& counts, const RankSetting& setting,
                         double opened) {
     const double model = model_bytes(scene, counts, opened) + distribution_bytes(counts);
-    // Events and frames add up: SuperLU_DIST, which comes with PETSc, sets the allocator to give nothing back to the system, and the
-    // trees that a coat leaves are too small for a frame.
+    // Events and frames add up: SuperLU_DIST, a dependency of PETSc, sets the allocator to return no memory to the
+    // system, and the blocks of memory that a coat frees are too small for a frame.
     const double running = model + breaking_bytes(counts, scene.time, opened) +
                            event_bytes(scene, counts, setting, opened) + frame_bytes(scene, counts, setting, opened);
     const double phases = libraries_in_use + std::max(partition_bytes(scene, setting), running);

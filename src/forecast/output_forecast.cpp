@@ -15,7 +15,7 @@ namespace cracksim::forecast {
 
 namespace {
 
-/// cracksim.log and the mark of the directory: some lines, whatever the scene.
+/// cracksim.log and the marker file of the directory: a few lines for any scene.
 constexpr std::int64_t small_files = 1500;
 
 io::CellLayout cells_of(const surface::MeshLayout& layout) {
@@ -33,7 +33,7 @@ std::int64_t frame_bytes(const io::CellLayout& cells, std::int64_t faces, std::i
     return faces == 0 ? 0 : io::vtkhdf_bytes({{.file = {}, .faces = faces, .points = points}, cells});
 }
 
-/// An interior face that opens where a crack runs on has two faces, and two points on them that no picture had.
+/// When a crack grows by one interior face, each later frame has two more faces and two more points.
 SeriesForecast series(std::string name, const surface::MeshLayout& layout, Range faces, Range points) {
     const io::CellLayout cells = cells_of(layout);
     const Range bytes{frame_bytes(cells, faces.intact, points.intact), frame_bytes(cells, faces.broken, points.broken)};
@@ -48,13 +48,13 @@ std::int64_t boundary_vertices(const Block& block) {
     return block.vertex_count() - (nx - 1) * (ny - 1) * (nz - 1);
 }
 
-/// Of the steps 0 to `last`, those that are due, and in any case the first and the last.
+/// Number of steps from 0 to `last` at which output is written: the due steps, the first and the last.
 std::int64_t times(const scene::Schedule& schedule, std::int64_t last) {
     return schedule.due_until(last) + (schedule.is_due(0) ? 0 : 1) + (schedule.is_due(last) || last == 0 ? 0 : 1);
 }
 
-/// A coat is brought up to date at its rate and for each frame. Where that is very often, it is not counted which times are common:
-/// as if the rarer of the two never came alone.
+/// Number of coats: a coat is updated at its own rate and for each frame. Above a million coats, their common steps are
+/// not counted: the result assumes that the rarer of the two is never due alone.
 std::int64_t coats(const scene::Schedule& coat, double coat_rate, const scene::Schedule& frame, std::int64_t last) {
     std::int64_t count = times(frame, last);
     if (!(coat_rate > 0)) {
@@ -70,21 +70,21 @@ std::int64_t coats(const scene::Schedule& coat, double coat_rate, const scene::S
     return count;
 }
 
-/// A product of bytes, at most so much that a few of them can be added.
+/// times * bytes, limited so that a sum of a few products does not overflow.
 std::int64_t capped_product(std::int64_t times, std::int64_t bytes) {
     constexpr std::int64_t most = std::int64_t{1} << 60;
     return static_cast<double>(times) * static_cast<double>(bytes) < static_cast<double>(most) ? times * bytes : most;
 }
 
-/// Which end of a range.
+/// One end of a range.
 using End = std::int64_t Range::*;
 
-/// The first frame is intact at both ends: what breaks at once does so after it.
+/// The first frame is intact at both ends of the range: faces that open in the first step open after it.
 std::int64_t frames_written(const SeriesForecast& series, std::int64_t later, End end) {
     return (series.frame_bytes.intact > 0 ? 1 : 0) + (series.frame_bytes.*end > 0 ? later : 0);
 }
 
-/// Frames and their indexes. Times are as long as they commonly are.
+/// Bytes of all frames of a series and of their index, which has times of typical length.
 std::int64_t series_bytes(const SeriesForecast& series, std::int64_t later, End end) {
     io::IndexedFrame typical;
     typical.cells = series.cells;

@@ -11,11 +11,12 @@ namespace cracksim::forecast {
 
 namespace {
 
-/// Halo and received masses of METIS's parts over those of boxes: measured 1.00 to 1.29 on 2, 4 and 8 ranks, up to 1.56 on 3, with
-/// plates and cubes of 9,000 to 800,000 entities.
+/// Ratio of halo entities and received masses of METIS's parts to those of boxes. Measured: 1.00 to 1.29 on 2, 4 and 8
+/// ranks, up to 1.56 on 3 ranks, with plates and cubes of 9,000 to 800,000 entities.
 constexpr double metis_roughness = 1.15;
 
-/// A part of the block: cells along each axis, and whether the block goes on beyond its lower and its upper end.
+/// A rank's part of the block: cells along each axis, and whether the block continues beyond its lower and upper ends
+/// (open sides).
 struct Box {
     std::array<double, 3> cells;
     std::array<bool, 3> goes_on_below{};
@@ -45,14 +46,14 @@ double by_axis(const Box& box, auto&& along, auto&& across) {
     return sum;
 }
 
-/// Places that a row takes for its cells, or for their vertices (physics/lattice.hpp).
+/// Number of sites of a row for its cells or for their vertices (physics/problem/lattice.hpp).
 double padded(double cells) {
     constexpr double lanes = physics::Lattice::lanes;
     return (std::floor(cells / lanes) + 1) * lanes;
 }
 
-/// Along an axis n cells have 2n ends, which are the places of masses. Of n owned cells with a halo cell on h sides all the ends
-/// but the h outer ones meet a vertex of an owned cell: they belong to touched unions.
+/// Along an axis, n cells have 2n ends, at which the masses are. n owned cells with a halo cell on h sides have
+/// 2 (n + h) ends. All of them but the h outer ends are at a vertex of an owned cell and belong to touched unions.
 RankCounts counts_of_box(const Box& box, double roughness) {
     const auto with_halo = [](double n, double h) { return n + h; };
     const auto owned_cells = [](double n, double) { return n; };
@@ -100,8 +101,8 @@ void divide(const Box& box, int ranks, bool along_z_only, std::vector<Box>& part
     divide(second, ranks - first_ranks, along_z_only, parts);
 }
 
-/// Each entity is anywhere: a rank has none of the 8 entities around a vertex, or of the 27 around an entity, with the probability
-/// that each of them is elsewhere.
+/// The owner of each entity is random. The probability that a rank owns none of the 8 entities around a vertex, or of
+/// the 27 entities around an entity, is the product of the probabilities that other ranks own each of them.
 RankCounts counts_at_random(const Block& block, int ranks) {
     const double elsewhere = 1 - 1.0 / ranks;
     const double local = static_cast<double>(block.entity_count()) * (1 - std::pow(elsewhere, 27));
@@ -115,7 +116,7 @@ RankCounts counts_at_random(const Block& block, int ranks) {
     counts.interior_faces = block.interior_face_count();
     counts.received = whole((1 - touched) * Hexahedron::corners * local);
     counts.sent = counts.received;
-    // Beside a vertex without own entities, another is local if the 19 others around it are not all elsewhere.
+    // At a vertex without owned entities, an entity is local if the rank owns one of the 19 other entities around it.
     const double local_there = Hexahedron::corners * (1 - std::pow(elsewhere, 19));
     const double others = ranks - 1;
     const double owners_there = others * (1 - std::pow(1 - 1 / others, local_there));

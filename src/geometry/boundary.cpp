@@ -13,7 +13,7 @@ namespace {
 using topology::Cell;
 using topology::Dart;
 
-/// Empty if the edge at a free face's dart is met by one other free face.
+/// Empty if exactly one other free face of the same component is at the edge of a free face's dart.
 std::optional<std::string> defect_at(const topology::GMap& map, Dart dart,
                                      const IdArray<LocalEntity, EntityId>& component) {
     const Dart partner = topology::next_free(map, dart);

@@ -8,7 +8,7 @@
 
 namespace cracksim::geometry {
 
-/// A face as a polygon: its corners in the order of its cycle, m.
+/// A face as a polygon: the positions of its corners in the order of its cycle, m.
 using Quadrilateral = std::array<Vec3, 4>;
 
 /// The embedding of a face: its corners at the current positions of their masses.
@@ -19,8 +19,8 @@ using Quadrilateral = std::array<Vec3, 4>;
 /// Mean of an entity's corners at their current positions, m.
 [[nodiscard]] Vec3 entity_centre(LocalEntity entity, const physics::Evolution& evolution);
 
-/// The embedding that shows the topology itself: a face drawn towards its entity's centre, so that sewn faces stand
-/// apart. factor 1 leaves the face, 0 shrinks it to the centre.
+/// Shrinks a face towards `centre`, the centre of its entity, so that a picture shows sewn faces apart from each other.
+/// factor 1 leaves the face unchanged, 0 shrinks it to the centre.
 [[nodiscard]] Quadrilateral shrunk_face(const Quadrilateral& face, Vec3 centre, double factor);
 
 }  // namespace cracksim::geometry

@@ -14,9 +14,9 @@ namespace cracksim::geometry {
 /// Joins the entities that hold the masses of one Mass-union.
 void join_union(topology::DisjointSets& entities, std::span<const LocalMass> masses);
 
-/// Lowers each local entity's label to the smallest one in its fragment, as far as this rank sees: entities are joined
-/// by the unions they share. unions: a range of ranges of LocalMass, the touched Mass-unions; lone masses may be left
-/// out. True if a label changed. Start, exchange and repeat as for topology::lower_to_component.
+/// Lowers each local entity's label to the smallest label in its fragment on this rank: shared unions join entities.
+/// unions: a range of ranges of LocalMass, the touched Mass-unions; unions of one mass may be left out. Returns true if
+/// a label changed. Start, exchange and repeat as for topology::lower_to_component.
 template <std::ranges::input_range Unions>
 bool lower_to_fragment(const Unions& unions, IdArray<LocalEntity, EntityId>& labels) {
     topology::DisjointSets entities{labels.size()};

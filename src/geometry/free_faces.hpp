@@ -10,11 +10,11 @@
 
 namespace cracksim::geometry {
 
-/// A face of the surface: alpha3 is not defined there.
+/// A face of the surface: it is sewn to no other face.
 struct FreeFace {
     LocalEntity entity;
     int face;
-    /// It was sewn at construction; else it lies on the original boundary.
+    /// True if the face was sewn at construction, false if it is on the original boundary.
     bool is_crack_face;
     /// In the order of the face's cycle, counter-clockwise from outside.
     std::array<LocalMass, 4> corners;

@@ -11,14 +11,14 @@ namespace cracksim::geometry {
 
 enum class CellKind : std::uint8_t { point = 1, quadrilateral = 9 };  ///< VTK's cell type numbers
 
-/// One value a cell.
+/// A field with one value a cell.
 struct CellField {
     std::string name;
     std::variant<std::vector<std::int64_t>, std::vector<double>> values;
 };
 
-/// What the files show, spread over the ranks: each rank holds a run of the points and a run of the cells, in rank order.
-/// connectivity holds global point numbers, corners(kind) a cell.
+/// A mesh that a frame file contains, distributed over the ranks: each rank holds a contiguous range of the points and
+/// a contiguous range of the cells, in rank order. connectivity holds corners() global point numbers for each cell.
 struct Mesh {
     CellKind kind{CellKind::quadrilateral};
     std::vector<Vec3> points;  ///< m

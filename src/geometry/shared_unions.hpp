@@ -9,17 +9,17 @@
 
 namespace cracksim::geometry {
 
-/// Which of this rank's masses share a Mass-union, as the starting unions and the splits tell it: by mass, the next one
-/// around its union.
+/// The Mass-unions of this rank's masses, after the starting unions and all splits so far. Each union is a circular
+/// list: each mass has the next mass of its union.
 class SharedUnions {
 public:
-    /// Every mass by itself.
+    /// Starts with a union of its own for each mass.
     explicit SharedUnions(std::size_t masses);
 
-    /// These masses are a union from now on. A split tells all its parts.
+    /// Makes these masses one union. After a split, call it for every part.
     void set(std::span<const LocalMass> masses);
 
-    /// Calls visit(other) for the entities that share unions with this one, each perhaps several times.
+    /// Calls visit(other) for each entity that shares a union with this one, possibly several times.
     template <class Visit>
     void for_each_neighbour(LocalEntity entity, const Visit& visit) const {
         for (int corner = 0; corner < Hexahedron::corners; ++corner) {

@@ -95,7 +95,7 @@ NetworkSettings read_network(const InputNode& node) {
             {not_negative(diagonal.at("stiffness"), "N/m"), read_viscosity(diagonal)}};
 }
 
-/// Throws for values that only a mistaken unit can make, before they overflow somewhere.
+/// Throws InputError for values so extreme that only a wrong unit can cause them; such values would overflow later.
 void check_range(const InputNode& node, const NetworkSettings& network) {
     struct Quantity {
         const char* name;

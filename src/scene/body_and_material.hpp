@@ -8,16 +8,16 @@
 
 namespace cracksim::scene {
 
-/// What a block is made of. An input gives material or network; the network follows from a material.
+/// The material and the network of a block. An input gives one of them; a material determines the network.
 struct Matter {
     std::optional<Material> material;
     NetworkSettings network;
 };
 
-/// The section `block`. Throws InputError.
+/// Reads the section `block`. Throws InputError.
 [[nodiscard]] Block read_block(const io::InputNode& node);
 
-/// The section `material` or `network` of the root. Throws InputError.
+/// Reads the section `material` or `network` of the root. Throws InputError.
 [[nodiscard]] Matter read_matter(const io::InputNode& root, const Block& block);
 
 }  // namespace cracksim::scene

@@ -8,15 +8,15 @@
 
 namespace cracksim::scene {
 
-/// The step of a scene and the bound that certifies it.
+/// The time step of a scene and the stability bound that certifies it.
 struct CertifiedStep {
     double step;  ///< s
     physics::StepBound bound;
-    std::int64_t steps;   ///< to the end of the scene
-    std::string warning;  ///< empty: the step keeps the usual distance from the bound
+    std::int64_t steps;   ///< number of steps to the end of the scene
+    std::string warning;  ///< empty if the step has the usual safety margin below the bound
 };
 
-/// Throws InputError for a step above the bound unless the scene allows it.
+/// Throws InputError if the step is above the bound, unless the scene allows it.
 [[nodiscard]] CertifiedStep certify_step(const Scene& scene);
 
 }  // namespace cracksim::scene

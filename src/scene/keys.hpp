@@ -9,13 +9,13 @@
 
 namespace cracksim::scene {
 
-/// A map of the input and the keys that it may have. In a path, * is any item of a list; the path of the root is empty.
+/// A map of the input and its permitted keys. In a path, * stands for any item of a list; the root's path is empty.
 struct Section {
     std::string_view path;
     std::vector<std::string_view> keys;
 };
 
-/// Every key of a scene, in the order of its resolved form.
+/// All sections and keys of a scene, in the order of input.resolved.yaml.
 [[nodiscard]] inline const std::vector<Section>& sections() {
     static const std::vector<Section> all{
         {"",

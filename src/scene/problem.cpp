@@ -35,13 +35,13 @@ std::vector<physics::Support> supports(const Scene& scene) {
     return all;
 }
 
-/// In single precision what is squared must stay below 1e38.
+/// In single precision, squares must stay below 1e38.
 bool is_fit(Vec3 value, bool single) {
     constexpr double largest = 1e18;
     return is_finite(value) && !(single && norm(value) > largest);
 }
 
-/// The first thing that is wrong with this rank's part of the problem.
+/// The first error in this rank's part of the problem, if any.
 std::optional<std::string> finding(const physics::Network& network, const Scene& scene) {
     const Places& places = scene.places;
     const physics::Initial initial = initial_fields(scene);

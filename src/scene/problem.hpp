@@ -12,9 +12,8 @@ namespace cracksim::scene {
 [[nodiscard]] partition::Partitioner partitioner(const Scene& scene);
 [[nodiscard]] physics::Initial initial_fields(const Scene& scene);
 
-/// The network of this rank's entities. Collective: throws InputError on all ranks for a threshold that is not above zero
-/// or supports that contradict each other anywhere,
-/// and for a notch that opens no interior face.
+/// Builds the network of this rank's entities. Throws InputError on all ranks if on any rank a threshold is not above
+/// zero, supports contradict each other, or initial fields are not finite, and if a notch opens no interior face. Collective.
 [[nodiscard]] physics::Network build_network(const partition::Communicator& comm, const Scene& scene,
                                              const partition::Decomposition& decomposition);
 

@@ -18,18 +18,18 @@
 
 namespace cracksim::scene {
 
-/// Values that scenes are made of, read with the range that their meaning asks for. All throw InputError with the place.
+// Readers for the values of a scene. They check the permitted range and throw InputError with the place in the input.
 
 using MaybeNode = std::optional<io::InputNode>;
 
 inline constexpr std::string_view this_version = "cracksim 0.1";
 
-/// For what the format knows and this version cannot do. hint: what to do instead.
+/// Throws for a key or value of the format that this version does not support. hint: an alternative for the user.
 [[noreturn]] inline void refuse_for_now(const io::InputNode& node, const std::string& hint) {
     node.fail("not available in " + std::string{this_version} + "; " + hint);
 }
 
-/// A section that may be missing, with known keys.
+/// Finds an optional section and checks its keys.
 [[nodiscard]] inline MaybeNode find_section(const io::InputNode& parent, std::string_view key,
                                             std::string_view section) {
     MaybeNode found = parent.find(key);
@@ -48,7 +48,7 @@ inline constexpr std::string_view this_version = "cracksim 0.1";
     return node ? node->boolean() : otherwise;
 }
 
-/// wanted: what a message says that is needed.
+/// wanted: the text for the required value in an error message.
 [[nodiscard]] inline double above_0(const io::InputNode& node, const std::string& wanted) {
     const double value = node.number(io::InputNode::Infinity::refused, wanted);
     if (!(value > 0)) {
@@ -76,7 +76,7 @@ inline constexpr std::string_view this_version = "cracksim 0.1";
     return {items[0].number(infinity), items[1].number(infinity), items[2].number(infinity)};
 }
 
-/// A text that messages can show.
+/// Reads a text of one line without control characters, so that messages can show it.
 [[nodiscard]] inline std::string line(const io::InputNode& node, std::size_t longest) {
     std::string text = node.text();
     const std::string fault =
@@ -92,7 +92,7 @@ inline constexpr std::string_view this_version = "cracksim 0.1";
     return text;
 }
 
-/// One of the words that this version can do, where the format also knows `later`.
+/// Reads one of the words that this version supports. later: words of the format that it does not support yet.
 [[nodiscard]] inline std::string available_word(const io::InputNode& node, std::span<const std::string_view> words,
                                                 std::span<const std::string_view> later) {
     const std::string text = node.is_scalar() ? node.text() : std::string{};
@@ -104,7 +104,7 @@ inline constexpr std::string_view this_version = "cracksim 0.1";
     return node.word(words);
 }
 
-/// A value of an enumeration by its name.
+/// Reads the name of an enumerator.
 template <class Enum, std::size_t size>
 [[nodiscard]] Enum enumerator(const io::InputNode& node,
                               const std::array<std::pair<std::string_view, Enum>, size>& names,
@@ -121,7 +121,7 @@ template <class Enum, std::size_t size>
     return names[i].second;
 }
 
-/// An expression whose value must be finite where that can be known already.
+/// Reads an expression. If it is constant, its value must be finite.
 [[nodiscard]] inline io::Expression finite_expression(const io::InputNode& node) {
     io::Expression expression = io::read_expression(node, io::InputNode::Infinity::refused);
     if (expression.is_constant() && !std::isfinite(expression({}, 0))) {

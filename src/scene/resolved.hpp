@@ -6,8 +6,9 @@
 
 namespace cracksim::scene {
 
-/// The complete input of a scene, every default written out, as YAML that read_scene reads back to the same scene. What follows
-/// from other keys (the network of a material, the threshold of a fracture energy) stands in comments.
+/// The complete input of a scene with every default written out, as YAML. read_scene reads it back to the same scene.
+/// Values that follow from other keys (the network from a material, the threshold from a fracture energy) are written
+/// as comments.
 [[nodiscard]] std::string resolved(const Scene& scene);
 
 }  // namespace cracksim::scene

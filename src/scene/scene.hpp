@@ -16,7 +16,7 @@
 
 namespace cracksim::scene {
 
-/// Engineering parameters of an isotropic block of cubes; Poisson's ratio is 1/4.
+/// Material parameters of an isotropic block of cubes; Poisson's ratio is 1/4.
 struct Material {
     double young;    ///< Pa
     double density;  ///< kg/m3
@@ -24,7 +24,7 @@ struct Material {
     std::optional<double> fracture_energy;  ///< J/m2
 };
 
-/// What every entity is made of.
+/// The masses and interactions of every entity.
 struct NetworkSettings {
     double mass;  ///< kg at each corner
     physics::KelvinVoigt edge;
@@ -36,28 +36,28 @@ enum class PartitionKind { metis, slab, random };
 
 struct SensorSettings {
     SensorKind kind;
-    io::Expression threshold;   ///< stretch, of the rest position
+    io::Expression threshold;   ///< a stretch, as a function of the rest position
     bool from_fracture_energy;  ///< the threshold follows from Material::fracture_energy
     std::optional<physics::Weibull> weibull;
-    bool prefilter;  ///< look only where an edge is stretched enough; never changes what triggers
+    bool prefilter;  ///< evaluate sensors only at edges that are stretched enough; the triggered duplets are the same
 };
 
 struct InitialSettings {
-    std::array<io::Expression, 3> displacement;  ///< m, of the rest position
-    std::array<io::Expression, 3> velocity;      ///< m/s, of the rest position
+    std::array<io::Expression, 3> displacement;  ///< m, as a function of the rest position
+    std::array<io::Expression, 3> velocity;      ///< m/s, as a function of the rest position
 };
 
-/// Holds the masses whose rest position is in the box (its boundary included) at a velocity.
+/// Prescribes the velocity of the masses whose rest position is in the box or on its boundary.
 struct SupportSettings {
     std::string name;
     std::array<Vec3, 2> box;  ///< lower and upper corner, m
     std::array<std::optional<io::Expression>, 3>
-        velocity;  ///< m/s, of rest position and time; an empty component is free
+        velocity;  ///< m/s, as a function of rest position and time; an empty component is free
 };
 
 struct Time {
     double end;                  ///< s
-    std::optional<double> step;  ///< s; empty: from the certified bound
+    std::optional<double> step;  ///< s; empty: the step follows from the certified bound
     physics::Scheme scheme;
     physics::Precision precision;
     bool allow_unstable;
@@ -71,7 +71,8 @@ struct Output {
     bool topology;
 };
 
-/// Where the input says what may turn out wrong only when the block is built: the beginnings of messages about it.
+/// Places in the input of values whose errors are found only when the block is built. Each text is the beginning of an
+/// error message.
 struct Places {
     std::string cells;
     std::string threshold;
@@ -82,11 +83,11 @@ struct Places {
     std::string precision;
 };
 
-/// What an input means, in SI, with all defaults filled in. Made by read_scene and not changed afterwards.
+/// The content of an input in SI units, with all defaults filled in. read_scene makes it; it never changes afterwards.
 struct Scene {
     std::string title;
     Block block;
-    std::optional<Material> material;  ///< where `network` comes from, if the input gives a material
+    std::optional<Material> material;  ///< determines `network` if the input gives a material
     NetworkSettings network;
     physics::DupletKind duplets;
     std::vector<NotchSettings> notches;
@@ -94,12 +95,12 @@ struct Scene {
     InitialSettings initial;
     std::vector<SupportSettings> supports;
     Time time;
-    double coat_rate;  ///< Hz of topology and geometry
+    double coat_rate;  ///< Hz; the rate at which topology and geometry are updated
     Output output;
     double history_rate;  ///< Hz; 0: never
     PartitionKind partition;
     Places places;
-    std::vector<std::string> warnings;  ///< for the user: what is allowed but probably not wanted
+    std::vector<std::string> warnings;  ///< for the user: input that is valid but probably a mistake
 };
 
 }  // namespace cracksim::scene

@@ -9,12 +9,12 @@
 
 namespace cracksim::scene {
 
-/// The scene that a YAML text means; inputs/README.md lists its keys. file: the name that messages show. settings: the values
-/// of --set, "key.path=value", applied in their order before anything is read.
-/// Throws InputError for the first thing that is wrong, with its place, key, reason and what to do.
+/// Reads a scene from a YAML text; inputs/README.md lists its keys. file: the name that messages show. settings: the
+/// values of --set, "key.path=value", which are applied in their order before the scene is read.
+/// Throws InputError for the first error, with its place, its key, the reason and a remedy.
 [[nodiscard]] Scene read_scene(std::string_view text, const std::string& file, std::span<const std::string> settings);
 
-/// Path of every key that read_scene knows, such as "block.cells"; * stands for any item of a list.
+/// The path of every key that read_scene accepts, such as "block.cells"; * stands for any item of a list.
 [[nodiscard]] std::vector<std::string> known_keys();
 
 }  // namespace cracksim::scene

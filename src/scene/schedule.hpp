@@ -6,8 +6,8 @@
 
 namespace cracksim::scene {
 
-/// When something at a rate happens: at the first step with t >= k/rate, k = 0, 1, 2, ...; never at rate 0.
-/// A function of the step alone, so it is the same on every rank and after a restart.
+/// The steps at which an action with a rate is due: the first step with t >= k/rate for each k = 0, 1, 2, ...; none at
+/// rate 0. The schedule depends on the step number only, so it is the same on every rank and after a restart.
 class Schedule {
 public:
     static constexpr std::int64_t never = std::int64_t{1} << 60;
@@ -19,7 +19,7 @@ public:
         return per_step_ > 0 && (step == 0 || ticks(step) > ticks(step - 1));
     }
 
-    /// How many of the steps 0 to `last` are due.
+    /// Number of due steps among the steps 0 to `last`.
     [[nodiscard]] std::int64_t due_until(std::int64_t last) const {
         if (!(per_step_ > 0)) {
             return 0;
@@ -27,7 +27,7 @@ public:
         return 1 + (per_step_ >= 1 ? last : static_cast<std::int64_t>(ticks(last)));
     }
 
-    /// The first due step after this one; `never` where no run gets so far. Requires a rate above 0.
+    /// The first due step after this one; `never` if it is beyond the end of any run. Requires a rate above 0.
     [[nodiscard]] std::int64_t next_due(std::int64_t step) const {
         const double tick = ticks(step) + 1;
         if (tick / per_step_ > static_cast<double>(never)) {
@@ -41,7 +41,8 @@ public:
     }
 
 private:
-    /// How many k/rate have passed; a tick that rounding puts just after its step still counts.
+    /// The number of times k/rate up to this step, without k = 0. A time that rounding moves just after its step still
+    /// counts.
     [[nodiscard]] double ticks(std::int64_t step) const {
         return std::floor(static_cast<double>(step) * per_step_ * (1 + 1e-12));
     }

@@ -22,7 +22,7 @@ void refuse_above_limit(std::int64_t entities_of_a_rank) {
 
 /// The places of a block's vertices in rows along x are numbered, with all their planes, in 32 bits on each rank.
 void refuse_long_rows(const Block& block, int ranks) {
-    // The largest part may be a quarter above the mean.
+    // The largest rank may hold a quarter more than the mean.
     constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max() / physics::layers * std::int64_t{4} / 5;
     const auto [nx, ny, nz] = block.cells();
     const std::int64_t padded = (nx / physics::Lattice::lanes + 1) * physics::Lattice::lanes;

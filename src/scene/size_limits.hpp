@@ -6,9 +6,9 @@
 
 namespace cracksim::scene {
 
-/// Throws InputError if the lists of this number of ranks cannot number the entities, however the entities are shared out.
+/// Throws InputError if the block has more entities than this number of ranks can index, whatever the partition.
 void check_size(const Block& block, int ranks);
-/// Collective. Throws InputError if a rank holds more entities than its lists can number.
+/// Throws InputError if a rank holds more entities than it can index. Collective.
 void check_size(const partition::Communicator& comm, const partition::Decomposition& decomposition);
 
 }  // namespace cracksim::scene

@@ -44,7 +44,7 @@ void warn_of_fracture(const Scene& scene, std::vector<std::string>& warnings) {
     }
 }
 
-/// Is there a mass between two planes normal to an axis?
+/// True if a mass is between two planes normal to an axis.
 bool has_masses_between(const Block& block, int axis, double lower, double upper) {
     const double edge = block.edge()[axis];
     const double origin = block.origin()[axis];
@@ -59,7 +59,7 @@ bool has_masses_between(const Block& block, int axis, double lower, double upper
     return false;
 }
 
-/// Why no mass rests in a support's box; nothing if that cannot be told.
+/// The reason why no mass rests in a support's box; empty if an axis-by-axis check finds none.
 std::optional<std::string> emptiness(const Scene& scene, const SupportSettings& support) {
     for (int axis = 0; axis < 3; ++axis) {
         if (!has_masses_between(scene.block, axis, support.box[0][axis], support.box[1][axis])) {

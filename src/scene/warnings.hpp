@@ -7,7 +7,7 @@
 
 namespace cracksim::scene {
 
-/// What the input allows but probably does not want, in words for the user.
+/// Warnings for the user about input that is valid but probably a mistake.
 [[nodiscard]] std::vector<std::string> find_warnings(const Scene& scene);
 
 }  // namespace cracksim::scene

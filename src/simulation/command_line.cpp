@@ -49,7 +49,7 @@ constexpr std::array<Valued, 4> valued{
      {"--progress", "plain or live", "plain is a line now and then, live one line that is redrawn", false},
      {"--simd", "the name of a SIMD target", "AVX2 gives the bits of a machine that has AVX2", false}}};
 
-/// CLI11 takes whatever follows, be it the next option, for the value.
+/// CLI11 would accept any next argument as the value, even another option.
 void check_value(const Valued& option, std::string_view argument, std::optional<std::string_view> next) {
     const bool joined = argument.size() > option.name.size();
     const std::string_view value = joined ? argument.substr(option.name.size() + 1) : next.value_or("");
@@ -59,7 +59,7 @@ void check_value(const Valued& option, std::string_view argument, std::optional<
     }
 }
 
-/// Throws where a value is missing, or an option that takes none has one, or is given again.
+/// Throws InputError if an option lacks its value, has a value although it takes none, or is given twice.
 void check_options(int argc, const char* const* argv) {
     std::vector<std::string_view> seen;
     for (int i = 1; i < argc; ++i) {
@@ -82,7 +82,7 @@ void check_options(int argc, const char* const* argv) {
     }
 }
 
-/// CLI11 says only "arguments were not expected"; this says which option was meant.
+/// Throws InputError with the nearest known option; CLI11 reports only "arguments were not expected".
 void refuse_unknown(const std::vector<std::string>& arguments) {
     if (arguments.empty()) {
         return;

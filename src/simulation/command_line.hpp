@@ -11,7 +11,7 @@
 
 namespace cracksim::simulation {
 
-/// What a user asks for: cracksim INPUT.yaml [options].
+/// The parsed command line: cracksim INPUT.yaml [options].
 struct CommandLine {
     std::filesystem::path input;
     std::optional<std::filesystem::path> out;
@@ -20,19 +20,19 @@ struct CommandLine {
     bool audit{false};
     bool quiet{false};
     ProgressStyle progress{ProgressStyle::plain};
-    std::optional<std::int64_t> simd_target;  ///< no better one is used (physics/simd_target.hpp)
+    std::optional<std::int64_t> simd_target;  ///< the best target that may be used (physics/simd_target.hpp)
 
-    /// Where the run's files go: `out`, or <input stem>.out in the current directory.
+    /// The directory of the run's files: `out`, or <input stem>.out in the current directory.
     [[nodiscard]] std::filesystem::path directory() const;
 };
 
-/// A text for standard output in place of a run: --help, --version.
+/// A text that is printed to standard output instead of a run: --help, --version.
 struct Answer {
     std::string text;
     int exit_code{0};
 };
 
-/// Throws InputError that names what is wrong and the nearest known option.
+/// Throws InputError with the wrong argument and, for an unknown option, the nearest known option.
 [[nodiscard]] std::variant<CommandLine, Answer> parse(int argc, const char* const* argv);
 
 }  // namespace cracksim::simulation

@@ -30,7 +30,7 @@ namespace cracksim::simulation {
 
 namespace {
 
-/// The text of the input, read by the root. Collective.
+/// The text of the input, which the root reads and broadcasts. Collective.
 std::string read_input(const partition::Communicator& comm, const std::filesystem::path& path) {
     std::string text;
     std::optional<std::string> problem;
@@ -59,9 +59,9 @@ void print(io::Log& log, const std::vector<std::string>& lines) {
     }
 }
 
-/// What a run, or its forecast, begins with on the terminal.
-void announce(io::Log& log, const CommandLine& command, const scene::Scene& scene,
-              const scene::CertifiedStep& certified, int ranks, const forecast::Forecast& forecast) {
+/// Prints the first lines of a run or of a dry run: version, overview and warnings.
+void announce(io::Log& log, const CommandLine& command, const scene::Scene& scene, const scene::CertifiedStep& certified, int ranks,
+              const forecast::Forecast& forecast) {
     log.info(io::version_line() + ": " + (scene.title.empty() ? command.input.string() : scene.title));
     print(log, overview(scene, certified, ranks, forecast));
     for (const std::string& warning : warnings(scene, certified)) {
@@ -69,10 +69,10 @@ void announce(io::Log& log, const CommandLine& command, const scene::Scene& scen
     }
 }
 
-/// The most entities that --dry-run builds: some seconds, some hundred megabytes.
+/// The largest block, in entities, that --dry-run builds: a few seconds and a few hundred megabytes.
 constexpr std::int64_t most_built_to_forecast = 1'000'000;
 
-/// What building the block would refuse, known without building it.
+/// Throws the errors that building the block would throw, as far as they can be found without building it.
 void check_unbuilt(const scene::Scene& scene, int ranks) {
     scene::check_size(scene.block, ranks);
     const auto refusal = partition::metis_refusal(scene.block);
@@ -95,7 +95,8 @@ struct FinishedRun {
     }
 };
 
-/// What could not be written is told beside why the run is invalid, which the summary says in any case.
+/// Writes the summary of an invalid run. If files cannot be completed, the error is only logged, and the summary still
+/// gives the reason why the run is invalid.
 void report_invalid(const FinishedRun& ending, const InvalidRun& invalid, io::Log& log) {
     try {
         ending.files.finish();
@@ -110,7 +111,7 @@ void report_invalid(const FinishedRun& ending, const InvalidRun& invalid, io::Lo
     ending.write(summary);
 }
 
-/// Does what can be done on a disk that may be full: why the run ended is told already.
+/// Runs an action and ignores its SharedError: the disk may be full, and the reason of the stop is already logged.
 void if_possible(const std::function<void()>& action) {
     try {
         action();
@@ -126,7 +127,7 @@ void report_stopped(const FinishedRun& ending, const SharedError& error) {
     if_possible([&] { ending.files.finish(); });
 }
 
-/// Returns the exit code.
+/// Runs a simulation, writes its files and reports its end. Returns the exit code.
 int run_with_files(const partition::Communicator& comm, Simulation& simulation, const forecast::Forecast& forecast,
                    const io::RunDirectory& directory, io::Log& log, ProgressStyle style) {
     Progress progress{log, style};
@@ -180,7 +181,7 @@ int run_in_directory(const partition::Communicator& comm, const CommandLine& com
     return run_with_files(comm, simulation, forecast, directory, log, command.progress);
 }
 
-/// Returns the exit code.
+/// Reads and checks the scene, then runs or forecasts it. Returns the exit code.
 int run_command(const partition::Communicator& comm, const CommandLine& command, io::Log& log) {
     agree_on_simd_target(comm, command);
     dynamics::Stopwatch stopwatch;
@@ -217,7 +218,7 @@ int run_command(const partition::Communicator& comm, const CommandLine& command,
     return run_in_directory(comm, command, directory, *simulation, found, log);
 }
 
-/// The exit code at the end: a run whose lines could not be printed is no success. Collective.
+/// The final exit code: 1 instead of 0 if a rank could not print to the terminal. Collective.
 int closing_code(const partition::Communicator& comm, const io::Log& log, int code) {
     const bool unprinted = comm.any(log.lost_terminal());
     return unprinted && code == 0 ? 1 : code;

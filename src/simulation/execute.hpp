@@ -5,11 +5,11 @@
 
 namespace cracksim::simulation {
 
-/// Tells what the command line asks for. Returns the exit code. Collective.
+/// Prints the text of an answer. Returns the exit code. Collective.
 int answer(const partition::Communicator& comm, const Answer& given);
 
-/// Does what the command line says: reads the scene, runs it (or forecasts it) and writes its files. Returns the exit
-/// code; throws InputError (exit 2) and InvalidRun (exit 3) on all ranks alike. Collective.
+/// Executes a command line: reads the scene, runs it (or forecasts it) and writes its files. Returns the exit code.
+/// Throws InputError (exit 2) and InvalidRun (exit 3) on all ranks. Collective.
 int execute(const partition::Communicator& comm, const CommandLine& command);
 
 }  // namespace cracksim::simulation

@@ -8,7 +8,7 @@
 
 namespace cracksim::simulation {
 
-/// What summary.json says of a run that has finished. Collective; complete on the root.
+/// The content of summary.json for a finished run. Collective; complete on the root only.
 [[nodiscard]] io::Summary summarize(const Simulation& simulation, const forecast::Forecast& forecast,
                                     std::vector<io::FrameSeries> frames);
 

@@ -10,12 +10,12 @@ namespace cracksim::simulation {
 
 enum class ProgressStyle { plain, live };
 
-/// Tells now and then how far a run is: step, time, steps/s, times real time, splits, memory, remaining time.
+/// Prints the progress of a run at intervals: step, time, steps/s, times real time, splits, memory, remaining time.
 class Progress {
 public:
     Progress(io::Log& log, ProgressStyle style);
 
-    /// A line if the last one is some seconds ago. Collective.
+    /// Prints a line if the last one is older than the interval of the style. Collective.
     void heartbeat(const Simulation& simulation);
 
 private:

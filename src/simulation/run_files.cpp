@@ -11,7 +11,7 @@ namespace cracksim::simulation {
 
 namespace {
 
-/// The parts of the splits that this rank reports, in global ids.
+/// The parts of the splits that this rank reports (it owns their smallest mass), in global ids.
 io::SplitParts global_parts(const physics::Network& network, const physics::SplitStream& splits) {
     io::SplitParts parts;
     std::vector<MassId> masses;

@@ -17,7 +17,7 @@
 
 namespace cracksim::simulation {
 
-/// Writes a run's files at their times: frames, events, history; and tells its progress.
+/// Writes the files of a run (frames, events, history) when they are due, and prints the progress.
 class RunFiles : public Observer {
 public:
     /// Collective. All arguments must outlive this.
@@ -26,12 +26,12 @@ public:
     void coat(const Simulation& simulation, const FractureEvents& update) override;
     void frame(const Simulation& simulation) override;
     void history(const Simulation& simulation) override;
-    /// Throws SharedError if the run was asked to stop.
+    /// Prints the progress. Throws SharedError if a signal has requested a stop.
     void heartbeat(const Simulation& simulation) override;
 
-    /// Completes the files that list others, at the end of a run. Collective.
+    /// Completes the index files of the frames at the end of a run. Collective.
     void finish();
-    /// Those that are whole; on the root all of them.
+    /// The frames that were written completely. Waits for the worker; only the root has all frames.
     [[nodiscard]] std::vector<io::FrameSeries> frames();
 
 private:
@@ -51,8 +51,8 @@ private:
     Progress* progress_;
     const partition::Communicator* comm_;
     partition::StopRequest stop_;
-    std::optional<surface::SurfaceFrames> surface_frames_;  ///< until they become too large
-    io::Worker worker_;                    ///< the last member: its jobs use the others
+    std::optional<surface::SurfaceFrames> surface_frames_;  ///< empty once the frames are too large for one rank
+    io::Worker worker_;  ///< must be the last member, because its jobs use the other members
 };
 
 }  // namespace cracksim::simulation

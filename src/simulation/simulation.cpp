@@ -136,7 +136,7 @@ void Simulation::check_motion(Observer& observer) {
     const bool first_here = failure && failure->step == step;
     const std::int64_t mass = comm_->min(first_here ? failure->mass.value() : none);
     const bool finite = !comm_->any(first_here && failure->mass.value() == mass && !failure->finite);
-    // What happened until here is told; the state itself, in which ranks need no longer agree, is not shown.
+    // Events until this step are written. No frame of the invalid state is written, because ranks may disagree on it.
     modify_coat(observer);
     throw InvalidRun{"the run became invalid at step " + std::to_string(step) +
                          " (t = " + rounded(static_cast<double>(step) * certified_.step, 6) + " s): mass " +

@@ -17,14 +17,15 @@
 
 namespace cracksim::simulation {
 
-/// Over all ranks, J.
+/// Energies of the block over all ranks, J.
 struct Energies {
     double kinetic{0};
     double elastic{0};
     double dissipated{0};
     double external{0};
 
-    /// What does not add up, given the energies at the start.
+    /// The error of the energy balance since the start: the change of kinetic and elastic energy plus the dissipated
+    /// energy minus the external work.
     [[nodiscard]] double residual(const Energies& start) const {
         return (kinetic + elastic + dissipated - external) - (start.kinetic + start.elastic);
     }
@@ -37,7 +38,7 @@ struct Totals {
     std::int64_t unions{0};
 };
 
-/// What the physics has told since the last coat, as this rank reports it.
+/// The events that this rank reports and the splits of its touched unions, since the last coat.
 struct FractureEvents {
     std::vector<physics::DupletEvent> events;
     physics::SplitStream splits;
@@ -45,19 +46,19 @@ struct FractureEvents {
 
 class Simulation;
 
-/// What is done with a run at its times. All functions are collective and must not change the simulation.
+/// Actions at certain steps of a run. All functions are collective and must not change the simulation.
 class Observer {
 public:
     virtual ~Observer() = default;
-    /// After a modification of the map.
+    /// Called after each modification of the map.
     virtual void coat(const Simulation&, const FractureEvents&) {}
     virtual void frame(const Simulation&) {}
     virtual void history(const Simulation&) {}
-    /// Every few steps.
+    /// Called every few steps.
     virtual void heartbeat(const Simulation&) {}
 };
 
-/// The run loop: physics at every step; topology, frames and history at their rates. Their rates never change physics.
+/// The run loop: physics at every step; topology, frames and history at their rates. The rates do not affect physics.
 class Simulation {
 public:
     /// Collective. Throws InputError on all ranks alike. comm, scene and stopwatch must outlive this.
@@ -67,7 +68,7 @@ public:
     /// From now on each coat is audited: the exchange (partition/audit.hpp), the map and the surface. Collective.
     void enable_audit();
 
-    /// From the start to the end of the scene. Collective. Throws InvalidRun on all ranks alike.
+    /// Runs the scene from start to end. Collective. Throws InvalidRun on all ranks.
     void run(Observer& observer);
 
     [[nodiscard]] const partition::Communicator& comm() const { return *comm_; }
@@ -77,7 +78,7 @@ public:
     [[nodiscard]] const surface::Coat& coat() const { return coat_; }
     [[nodiscard]] dynamics::Stopwatch& stopwatch() const { return *stopwatch_; }
     [[nodiscard]] const Energies& start_energies() const { return start_energies_; }
-    /// As of the last step whose history was due.
+    /// Energies at the last step at which they were measured: the first, the last or one with due history.
     [[nodiscard]] const Energies& energies() const { return energies_; }
     /// Collective.
     [[nodiscard]] Totals totals() const;

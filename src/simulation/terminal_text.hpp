@@ -8,14 +8,14 @@
 
 namespace cracksim::simulation {
 
-/// What is known before the first step, line by line for the terminal: counts, step, memory, exchange, output.
+/// The lines that the terminal shows before the first step: counts, step, exchange, memory, output.
 [[nodiscard]] std::vector<std::string> overview(const scene::Scene& scene, const scene::CertifiedStep& certified, int ranks,
                                                 const forecast::Forecast& forecast);
 
-/// What --dry-run adds. built: the problem was built to forecast it.
+/// The lines that --dry-run adds. built: the problem was built for the forecast.
 [[nodiscard]] std::vector<std::string> dry_run_lines(const forecast::Forecast& forecast, bool built);
 
-/// The closing lines.
+/// The lines that the terminal shows after the last step.
 [[nodiscard]] std::vector<std::string> closing_lines(const io::Summary& summary, const std::string& directory);
 
 }  // namespace cracksim::simulation

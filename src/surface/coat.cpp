@@ -15,7 +15,8 @@ namespace cracksim::surface {
 
 namespace {
 
-/// Sewn faces with an owned entity on one side: of one between two halo entities their owners know.
+/// The links of components: sewn faces with an owned entity on at least one side. Faces between two halo entities are
+/// left out, because their owners have them.
 class SewnFaces {
 public:
     SewnFaces(const topology::GMap& map, const partition::Decomposition& decomposition)
@@ -40,7 +41,7 @@ private:
     const IdArray<LocalEntity, std::uint8_t>& owned_;
 };
 
-/// What the owner of an entity tells those who hold it as halo.
+/// A message from the owner of an entity to the ranks that hold it as halo.
 struct Mask {
     EntityId entity;
     std::uint8_t sewn;

@@ -26,8 +26,8 @@
 
 namespace cracksim::surface {
 
-/// The topology of the block on all ranks: this rank's map, and what needs the neighbours' knowledge: sewn masks of halo
-/// entities, components and fragments. After the start its cost follows the splits, not the block.
+/// The topology of the block on all ranks: this rank's map, and the data that need communication: sewn masks of halo
+/// entities, components and fragments. After the start, its cost grows with the number of splits, not with the block.
 class Coat {
 public:
     /// Of the unions as they are: a face is open from the start where a corner pair shares none. Collective. comm and
@@ -37,25 +37,26 @@ public:
     Coat(const Coat&) = delete;
     Coat& operator=(const Coat&) = delete;
 
-    /// Modification: unsews what the splits demand and brings masks, components and fragments up to date. Collective.
+    /// Modification: unsews faces after the splits, then updates masks, components, fragments and surface. Collective.
     void modify(const physics::SplitStream& splits);
 
     [[nodiscard]] const topology::GMap& map() const { return map_; }
-    /// Label of an owned entity: the smallest entity of its component, or fragment.
+    /// Component id and fragment id of an owned entity: the smallest entity of its component or fragment.
     [[nodiscard]] EntityId component(LocalEntity owned) const { return components_.id(owned); }
     [[nodiscard]] EntityId fragment(LocalEntity owned) const { return fragments_.id(owned); }
     /// Time of the split that opened a face of an owned entity, s; -1 if it is sewn or on the original boundary.
     [[nodiscard]] double opened_at(LocalEntity e, int face) const { return surface_.opened_at(e, face); }
     [[nodiscard]] const LocalSurface& surface() const { return surface_; }
-    /// Of the labels of fragments: changes whenever one of them does.
+    /// Version number of the fragment ids: it increases whenever one of them changes.
     [[nodiscard]] std::int64_t fragments_version() const { return fragments_version_; }
 
-    /// Numbers over all ranks after the last modification.
+    /// Counts over all ranks after the last modification.
     [[nodiscard]] std::int64_t component_count() const { return components_.count(); }
     [[nodiscard]] std::int64_t fragment_count() const { return fragments_.count(); }
-    /// Rest area of the opened interior faces, each once, m2.
+    /// Rest area of the opened interior faces over all ranks, each counted once, m2.
     [[nodiscard]] double crack_area() const;
-    /// The largest fragments over all ranks, largest first, on the root; ties by id. Collective.
+    /// The largest `count` fragments over all ranks, largest first, ties in ascending order of ids. Valid on the root
+    /// only. Collective.
     [[nodiscard]] std::vector<geometry::LabelSize> largest_fragments(std::size_t count) const;
 
     /// Checks the axioms of the map, its faces against the unions, and that the boundaries of components are closed. Returns the first
@@ -69,7 +70,7 @@ private:
                                                                 const IdArray<LocalEntity, EntityId>& component,
                                                                 const physics::Evolution& evolution) const;
     void count_opened(const topology::Changes& changes);
-    /// The corners of the faces that are open now between halo entities, as their owners tell.
+    /// Exchanges the sewn masks of changed entities. Returns the corners of the halo entities' faces that became free.
     [[nodiscard]] std::vector<LocalMass> share_masks(const topology::Changes& changes);
     void update_surface(const topology::Changes& changes, std::vector<LocalMass> corners);
     [[nodiscard]] bool cut_components(const topology::Changes& changes);

@@ -10,22 +10,22 @@
 
 namespace cracksim::surface {
 
-/// What the frames show, at the current state. Each function is collective.
+// The meshes of the frames at the current state. The functions that return a mesh are collective.
 
 enum class Faces { all_free, crack_only };
 
-/// What the meshes of these functions are and carry.
+/// The layouts of the meshes that the functions below return.
 [[nodiscard]] MeshLayout surface_layout(const Block& block);
 [[nodiscard]] MeshLayout mass_layout(const Block& block);
 [[nodiscard]] MeshLayout topology_layout(const Block& block);
 
-/// Free faces at the current positions of their corners, one point a topological vertex.
+/// Free faces at the current positions of their corners; each topological vertex is one point.
 [[nodiscard]] geometry::Mesh surface_mesh(const partition::Communicator& comm, const dynamics::Dynamics& dynamics,
                                           const Coat& coat, const physics::Evolution& evolution, Faces faces);
-/// One point a mass.
+/// One point for each mass.
 [[nodiscard]] geometry::Mesh mass_mesh(const partition::Communicator& comm, const dynamics::Dynamics& dynamics, const Coat& coat,
                                        const physics::Evolution& evolution);
-/// Every face of every cell, drawn towards its cell's centre, with `sewn`.
+/// All faces of all entities, each shrunk towards its entity's centre, with the field `sewn`.
 [[nodiscard]] geometry::Mesh topology_mesh(const partition::Communicator& comm, const dynamics::Dynamics& dynamics,
                                            const Coat& coat, const physics::Evolution& evolution);
 

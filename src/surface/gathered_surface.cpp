@@ -189,7 +189,7 @@ void GatheredSurface::measure_openings() {
     }
 }
 
-// Distances are the same from both sides, but each side adds them up in its own order.
+// The distances are the same from both sides, but each side adds them in the order of its own corners.
 void GatheredSurface::measure_opening(std::int32_t face, std::int32_t other) {
     const std::int64_t key = face_keys_[static_cast<std::size_t>(face)];
     const auto link = block_.neighbour(EntityId{key / Hexahedron::faces}, static_cast<int>(key % Hexahedron::faces));

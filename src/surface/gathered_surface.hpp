@@ -12,22 +12,23 @@
 
 namespace cracksim::surface {
 
-/// The surface of the block as the root puts it together from what the ranks tell: the same meshes as surface_mesh() gives,
-/// kept from frame to frame. Its order, by keys, does not depend on the ranks. No communication.
+/// The surface of the whole block, which the root assembles from the updates of all ranks and keeps between frames. Its
+/// meshes equal those of surface_mesh(). Their order follows the keys and does not depend on the ranks. No
+/// communication.
 class GatheredSurface {
 public:
     GatheredSurface(const Block& block, std::size_t ranks);
 
-    /// The news of all ranks, for the next frame.
+    /// Applies the updates of all ranks for the next frame.
     void take(std::span<const SurfaceUpdate> update);
 
     [[nodiscard]] const geometry::Mesh& surface() const { return surface_; }
-    /// The crack faces of surface(), and the points that they use.
+    /// The mesh of the crack faces of surface() and of the points that they use.
     [[nodiscard]] const geometry::Mesh& crack();
 
 private:
     using Places = std::vector<std::int32_t>;
-    /// A rank's points and faces in its own order: where they stand here.
+    /// The positions in surface_ of a rank's points and faces, in the rank's own order.
     struct Order {
         Places point;
         Places face;
@@ -56,7 +57,7 @@ private:
     bool crack_is_old_{true};
     Places crack_faces_;
     Places crack_points_;
-    Places met_;  ///< by face: the other side of a crack face; -1 on the original boundary
+    Places met_;  ///< by face: position of the other side of a crack face; -1 on the original boundary
     geometry::Mesh crack_;
 };
 

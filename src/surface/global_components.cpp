@@ -23,7 +23,7 @@ void GlobalComponents::agree() {
     name_joined(comm_->gather_on_all<Joint>(joints()));
 }
 
-/// A tree of halo entities only is left out: the owners of its entities know of all that joins them.
+/// Trees without an owned entity are left out: the owners of their entities find the same joints.
 std::vector<GlobalComponents::Joint> GlobalComponents::joints() const {
     std::vector<EntityId> sent;
     for (const LocalEntity e : halo_->sent()) {

@@ -13,15 +13,15 @@
 
 namespace cracksim::surface {
 
-/// The free faces of this rank's owned entities, in the order in which they came to be. None is ever removed: a free face
-/// stays free.
+/// The free faces of this rank's owned entities, in the order in which they became free. None is ever removed: a free
+/// face stays free.
 class LocalSurface {
 public:
     struct Face {
         LocalEntity entity;
         std::int8_t face;
         std::int32_t listed_in;  ///< the update that last changed it
-        std::int32_t next;       ///< the place of another face of the entity; -1: none
+        std::int32_t next;       ///< position in faces() of another face of the entity; -1: none
         double opened_at;        ///< s; -1 on the original boundary
     };
 
@@ -29,22 +29,22 @@ public:
     LocalSurface(const topology::GMap& map, std::span<const std::uint8_t> owned,
                  const std::function<double(LocalEntity, int)>& opened_at);
 
-    /// A face was unsewn; update() must follow with its corners.
+    /// Records that a face was unsewn. update() must follow, with the corners of the face.
     void open(LocalEntity entity, int face, double time);
-    /// Vertices at these corners may have fallen apart: the free faces around them have changed.
+    /// Marks the free faces around the vertices at these corners as changed, because a vertex may have fallen apart.
     void update(const topology::GMap& map, std::span<const LocalMass> corners);
 
-    /// -1 if it is sewn or on the original boundary.
+    /// Time of the split that opened a face, s; -1 if the face is sewn or on the original boundary.
     [[nodiscard]] double opened_at(LocalEntity entity, int face) const;
     [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
-    /// Places in faces() of those that came to be or changed, in this order; a face may come again later. New ones come in
-    /// the order of faces().
+    /// Positions in faces() of new and changed faces, in the order of the changes. A face is listed once for each
+    /// update that changes it. New faces are in the order of faces().
     [[nodiscard]] const std::vector<std::int32_t>& changed() const { return changed_; }
 
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
-    /// The place of a face; -1 if it is not listed.
+    /// The position of a face in faces_; -1 if it is not listed.
     [[nodiscard]] std::int32_t place_of(LocalEntity entity, int face) const;
     std::int32_t list(LocalEntity entity, int face);
     Face& touch(LocalEntity entity, int face);
@@ -52,10 +52,10 @@ private:
 
     std::span<const std::uint8_t> owned_;
     std::vector<Face> faces_;
-    IdArray<LocalEntity, std::int32_t> last_face_;  ///< of the entity: a place; -1: none
+    IdArray<LocalEntity, std::int32_t> last_face_;  ///< position of the entity's last face; -1: none
     std::vector<std::int32_t> changed_;
     std::int32_t updates_{1};
-    MassMarks met_;  ///< by the update that goes on
+    MassMarks met_;  ///< masses that the current update has visited
     std::vector<LocalEntity> met_entities_;
 };
 

@@ -9,13 +9,13 @@
 
 namespace cracksim::surface {
 
-/// A set of this rank's masses, a bit for each.
+/// A set of this rank's masses, one bit for each.
 class MassMarks {
 public:
     explicit MassMarks(std::size_t entities) : bits_(entities) {}
 
     [[nodiscard]] bool contains(LocalMass mass) const { return (bits_[entity_of(mass)] & bit(mass)) != 0; }
-    /// False if it was there.
+    /// Returns false if the set already contains the mass.
     bool insert(LocalMass mass) {
         const bool is_new = !contains(mass);
         bits_[entity_of(mass)] = static_cast<std::uint8_t>(bits_[entity_of(mass)] | bit(mass));

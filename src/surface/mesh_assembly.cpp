@@ -11,12 +11,13 @@ namespace {
 
 using Keys = std::vector<std::int64_t>;
 
-/// Rank that files the records of an entity: runs of entity ids of equal length, whoever owns them.
+/// The filing rank of an entity, which sorts the entity's records: each rank files an equal range of entity ids,
+/// independent of their owners.
 std::size_t filing_rank(std::int64_t entity, std::int64_t entities, int ranks) {
     return static_cast<std::size_t>(entity * ranks / entities);
 }
 
-/// Sends each record to its filing rank; there they stand in order of their keys, each key once.
+/// Sends each record to its filing rank. Returns the records that this rank files, sorted by key, each key once.
 template <class Record>
 std::vector<Record> filed(const partition::Communicator& comm, const std::vector<Record>& records,
                           std::int64_t entities, std::int64_t keys_per_entity) {
@@ -40,7 +41,7 @@ std::int64_t place_of(const std::vector<PointRecord>& points, std::int64_t key) 
     return found - points.begin();
 }
 
-/// The global numbers of the wanted points (ascending keys), asked of their filing ranks.
+/// The global numbers of the wanted points (ascending keys), requested from their filing ranks.
 Keys numbers_of(const partition::Communicator& comm, const MeshLayout& layout, const std::vector<PointRecord>& points,
                 const Keys& wanted) {
     const std::int64_t first = comm.sum_below(static_cast<std::int64_t>(points.size()));
@@ -53,7 +54,7 @@ Keys numbers_of(const partition::Communicator& comm, const MeshLayout& layout, c
         std::ranges::transform(keys, keys.begin(), [&](std::int64_t key) { return first + place_of(points, key); });
     }
     Keys numbers;
-    // Filing ranks ascend with the keys, so the answers in rank order are in the order of `wanted`.
+    // Filing ranks ascend with the keys, so the concatenated answers are in the order of `wanted`.
     for (const Keys& part : comm.exchange(answers)) {
         numbers.insert(numbers.end(), part.begin(), part.end());
     }

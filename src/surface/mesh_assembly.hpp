@@ -11,21 +11,22 @@
 
 namespace cracksim::surface {
 
-/// A point that cells on several ranks may share: all give the same key and the same bits.
+/// A point. Cells on several ranks may share it: then all these ranks give the same key and the same bits.
 struct PointRecord {
     std::int64_t key;
     Vec3 position;
 };
 
-/// A cell and its values; which of them count is up to MeshLayout.
+/// A cell and its values. MeshLayout determines how many of the points, integers and reals are used.
 struct CellRecord {
     std::int64_t key;
-    std::array<std::int64_t, 4> points;  ///< keys; a point cell has the first only
+    std::array<std::int64_t, 4> points;  ///< keys of the points; a point cell uses only the first
     std::array<std::int64_t, 2> integers;
     std::array<double, 2> reals;
 };
 
-/// How records become a mesh. The keys of a rank-independent order: key / keys_per_entity is a global entity id.
+/// The layout of a mesh made from records. Keys define an order that does not depend on the ranks: key /
+/// keys_per_entity is a global entity id.
 struct MeshLayout {
     geometry::CellKind kind;
     std::int64_t entities;
@@ -35,8 +36,8 @@ struct MeshLayout {
     std::vector<std::string> real_names;
 };
 
-/// Brings points and cells in the order of their keys over all ranks, each point once, and numbers the points: the mesh is the
-/// same on any number of ranks but for where the ranks' runs begin. Collective.
+/// Sorts points and cells by their keys over all ranks, keeps each point once and numbers the points. The mesh is the
+/// same on any number of ranks; only the ranges that the ranks hold differ. Collective.
 [[nodiscard]] geometry::Mesh assemble(const partition::Communicator& comm, const MeshLayout& layout,
                                       const std::vector<PointRecord>& points, const std::vector<CellRecord>& cells);
 

@@ -11,9 +11,9 @@
 
 namespace cracksim::surface {
 
-// Columns of values in the order of their keys.
+// Columns of values that are sorted by their keys.
 
-/// Puts new keys (ascending, none there yet) among ascending ones. Returns where the old ones stand now.
+/// Merges new keys (ascending, none of them in `keys`) into ascending keys. Returns the new position of each old key.
 template <class Key>
 std::vector<std::int32_t> merge(std::vector<Key>& keys, const std::vector<Key>& added) {
     std::vector<std::int32_t> moved(keys.size());
@@ -30,7 +30,8 @@ std::vector<std::int32_t> merge(std::vector<Key>& keys, const std::vector<Key>& 
     return moved;
 }
 
-/// Values follow their keys; those of new keys are still to be set. From the end, so that none is overwritten.
+/// Moves values to the new positions of their keys; the values of new keys remain to be set. Moves the last value
+/// first, so that no value is overwritten before it is moved.
 template <class T>
 void spread(std::vector<T>& values, const std::vector<std::int32_t>& moved, std::size_t size, std::size_t columns) {
     values.resize(size * columns);
@@ -43,7 +44,7 @@ void spread(std::vector<T>& values, const std::vector<std::int32_t>& moved, std:
     }
 }
 
-/// Places follow what they name; negative ones name nothing.
+/// Replaces old positions by new ones; negative positions mean none and stay unchanged.
 inline void rename(std::vector<std::int32_t>& places, const std::vector<std::int32_t>& moved) {
     for (std::int32_t& place : places) {
         place = place < 0 ? place : moved[static_cast<std::size_t>(place)];
@@ -57,7 +58,7 @@ std::int32_t place_in(const std::vector<Key>& keys, const Key& key) {
     return static_cast<std::int32_t>(found - keys.begin());
 }
 
-/// Ascending, each once, without those that are there.
+/// Sorts the keys and removes repeated keys and keys that `there` (ascending) contains.
 template <class Key>
 void keep_new(std::vector<Key>& keys, const std::vector<Key>& there) {
     sort_and_make_unique(keys);

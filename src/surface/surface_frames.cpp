@@ -19,7 +19,7 @@ SurfaceFrames::SurfaceFrames(const partition::Communicator& comm, const dynamics
       reporter_{dynamics.decomposition().entities.size()},
       whole_{dynamics.network().block(), static_cast<std::size_t>(comm.size())} {}
 
-// By the bytes that faces with all their corners for points would take: more than any surface does.
+// The bytes are an upper bound: they count a separate point for each corner of each face.
 bool SurfaceFrames::fit(const io::CellLayout& cells, std::int64_t faces) {
     const io::FrameRecord most{.file = {}, .faces = faces, .points = cells.corners() * faces};
     return io::vtkhdf_bytes({most, cells}) < io::FrameWriter::default_gather_below;

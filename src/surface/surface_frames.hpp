@@ -12,19 +12,19 @@
 
 namespace cracksim::surface {
 
-/// Frames of the surface and of the crack faces while they are small enough for one rank: the ranks tell the root what has
-/// changed and where the points are; the root puts the meshes together and writes them in the background.
+/// Writes frames of the surface and of the crack faces while they are small enough for one rank. The ranks send the
+/// changed faces and all positions to the root; the root assembles the meshes and its worker thread writes them.
 class SurfaceFrames {
 public:
-    /// A writer that is not wanted is null. All arguments must outlive this and the background's jobs.
+    /// surface, crack: null for a series that is not written. All arguments must outlive this and the worker's jobs.
     SurfaceFrames(const partition::Communicator& comm, const dynamics::Dynamics& dynamics, io::Worker& worker,
                   io::FrameWriter* surface, io::FrameWriter* crack);
 
-    /// Whether the frames of so many free faces are small enough.
+    /// True if frames of this number of free faces are small enough.
     [[nodiscard]] static bool fit(const io::CellLayout& cells, std::int64_t faces);
-    /// Whether the next frame is; once false, false for ever. Collective.
+    /// True if the next frame is small enough. The surface only grows, so false stays false. Collective.
     [[nodiscard]] bool fits(const Coat& coat) const;
-    /// Collective.
+    /// Gathers the changes and posts the frame to the root's worker. Collective.
     void write(const dynamics::Dynamics& dynamics, const Coat& coat);
 
 private:
@@ -33,7 +33,7 @@ private:
     io::FrameWriter* surface_writer_;
     io::FrameWriter* crack_writer_;
     SurfaceReporter reporter_;
-    GatheredSurface whole_;  ///< touched by the background's jobs only
+    GatheredSurface whole_;  ///< accessed by the worker's jobs only; fits() reads only its mesh layout
 };
 
 }  // namespace cracksim::surface

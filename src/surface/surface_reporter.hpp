@@ -13,12 +13,12 @@
 
 namespace cracksim::surface {
 
-/// What this rank tells the root of its surface from frame to frame.
+/// Makes the updates of this rank's surface that the root receives for each frame.
 class SurfaceReporter {
 public:
     explicit SurfaceReporter(std::size_t local_entities) : is_point_{local_entities} {}
 
-    /// Since the last report; the first one tells all there is.
+    /// The changes since the last report; the first report contains the whole surface.
     [[nodiscard]] SurfaceUpdate report(const dynamics::Dynamics& dynamics, const Coat& coat);
 
 private:

@@ -12,7 +12,7 @@ std::size_t packed_size(const std::vector<T>& values) {
     return sizeof(std::uint64_t) + values.size() * sizeof(T);
 }
 
-/// Writes at `to` and returns what follows.
+/// Writes the values at `to` and returns the position after them.
 template <class T>
 std::byte* pack(const std::vector<T>& values, std::byte* to) {
     const std::uint64_t count = values.size();

@@ -11,8 +11,9 @@
 
 namespace cracksim::surface {
 
-/// What a rank tells the root of its part of the surface for a frame. Faces and points are told once, and again where a face
-/// has got another point; what follows the motion goes by their order.
+/// The changes of a rank's part of the surface since the last frame, which the rank sends to the root. A point is sent
+/// once; a face is sent when it becomes free and again when one of its points changes. The other lists follow the order
+/// in which the rank first sent its faces or points.
 struct SurfaceUpdate {
     struct Face {
         std::int64_t key;  ///< 6 * entity + face
@@ -20,13 +21,13 @@ struct SurfaceUpdate {
         std::array<MassId, 4> points;
     };
 
-    std::vector<MassId> new_points;   ///< the smallest mass of each vertex
-    std::vector<Face> changed_faces;  ///< new ones in the order in which the rank lists them
-    std::vector<EntityId> fragments;  ///< of all its faces; empty: none has changed
-    std::vector<Vec3> positions;      ///< of all its points, m
+    std::vector<MassId> new_points;   ///< the smallest mass of each new vertex
+    std::vector<Face> changed_faces;  ///< new faces are in the order in which the rank lists them
+    std::vector<EntityId> fragments;  ///< fragment ids of all the rank's faces; empty: none has changed
+    std::vector<Vec3> positions;      ///< of all the rank's points, m
 };
 
-/// As bytes, and what several of them in a row say.
+/// Serializes an update; deserializes concatenated updates.
 [[nodiscard]] std::vector<std::byte> packed(const SurfaceUpdate& update);
 [[nodiscard]] std::vector<SurfaceUpdate> unpacked(std::span<const std::byte> bytes);
 

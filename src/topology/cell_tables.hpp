@@ -5,14 +5,14 @@
 
 namespace cracksim::topology {
 
-/// A corner's place in the cycle of a face.
+/// A corner's position in the cycle of a face.
 struct FacePlace {
     int face;
     int place;
 };
 
-/// How the darts of a cell are counted: dart = (face * face_corners + k) * 2 + s . Edge k of a face runs from corner k
-/// of its cycle to corner k + 1; s = 0 is the dart at corner k, s = 1 the one at corner k + 1.
+/// The numbering of the darts of a cell: dart = (face * face_corners + k) * 2 + s. Edge k of a face runs from corner k
+/// of its cycle to corner k + 1; s = 0 is the dart at corner k, s = 1 the dart at corner k + 1.
 template <class Shape>
 struct DartNumbering {
     static constexpr int faces = Shape::faces;
@@ -21,7 +21,7 @@ struct DartNumbering {
 
     static constexpr int dart(int face, int k, int s) { return (face * face_corners + k) * 2 + s; }
     static constexpr int face(int dart) { return dart / (2 * face_corners); }
-    /// k, the edge in the face's cycle.
+    /// k, the number of the edge in the face's cycle.
     static constexpr int place(int dart) { return dart / 2 % face_corners; }
     static constexpr int end(int dart) { return dart % 2; }
     static constexpr int corner_in_cycle(int face, int k) {
@@ -29,7 +29,7 @@ struct DartNumbering {
     }
 };
 
-/// What CellTemplate looks up; see there.
+/// The tables of CellTemplate, where they are described.
 template <class Shape>
 struct CellTables {
     using Numbering = DartNumbering<Shape>;
@@ -43,7 +43,7 @@ struct CellTables {
     std::array<std::array<FacePlace, darts / corners / 2>, corners> faces_at{};
 };
 
-/// The other dart of the same corner and edge; -1 if the faces do not close around the edge.
+/// The dart of the same corner and edge on the adjacent face; -1 if the edge has no adjacent face.
 template <class Shape>
 constexpr int find_alpha2(const CellTables<Shape>& t, int dart) {
     using Numbering = DartNumbering<Shape>;

@@ -8,9 +8,9 @@
 
 namespace cracksim::topology {
 
-/// The generalized map inside one cell of a type: its darts, alpha0 to alpha2, and the darts of each corner, all known
-/// at compile time (Lienhart, "N-dimensional generalized combinatorial maps and cellular quasi-manifolds", 1994). Shape
-/// gives corners, faces, face_corners and the faces as cycles of corners.
+/// The generalized map inside one cell of a type: its darts, alpha0 to alpha2, and the darts of each corner, all
+/// computed at compile time (Lienhart, "N-dimensional generalized combinatorial maps and cellular quasi-manifolds",
+/// 1994). Shape defines corners, faces, face_corners and the faces as cycles of corners.
 template <class Shape>
 class CellTemplate : public DartNumbering<Shape> {
 public:
@@ -24,12 +24,12 @@ public:
         return tables_.alpha[static_cast<std::size_t>(i)][static_cast<std::size_t>(dart)];
     }
     static constexpr int corner(int dart) { return tables_.corner[static_cast<std::size_t>(dart)]; }
-    /// The orbit <alpha1, alpha2> of a corner, in the order of the walk alpha1, alpha2, alpha1, ... from its smallest
-    /// dart.
+    /// The orbit <alpha1, alpha2> of a corner, in the order of the walk alpha1, alpha2, alpha1, ... from the corner's
+    /// smallest dart.
     static constexpr const std::array<int, std::size_t{corner_darts}>& darts_at(int corner) {
         return tables_.darts_at[static_cast<std::size_t>(corner)];
     }
-    /// The faces that meet at a corner, and the corner's place in the cycle of each, in ascending order of faces.
+    /// The faces that meet at a corner, in ascending order, each with the corner's position in the face's cycle.
     static constexpr const std::array<FacePlace, std::size_t{corner_faces}>& faces_at(int corner) {
         return tables_.faces_at[static_cast<std::size_t>(corner)];
     }
@@ -38,7 +38,7 @@ private:
     static constexpr CellTables<Shape> tables_ = make_cell_tables<Shape>();
 };
 
-/// alpha_i sends no dart to itself and every dart back.
+/// True if alpha_i is an involution without fixed point.
 template <class Cell>
 constexpr bool is_free_involution(int i) {
     for (int d = 0; d < Cell::darts; ++d) {
@@ -49,7 +49,7 @@ constexpr bool is_free_involution(int i) {
     return true;
 }
 
-/// alpha0 and alpha2 commute: an edge has the same two faces at both ends.
+/// True if alpha0 and alpha2 commute: an edge has the same two faces at both ends.
 template <class Cell>
 constexpr bool alpha0_alpha2_is_involution() {
     for (int d = 0; d < Cell::darts; ++d) {
@@ -60,7 +60,7 @@ constexpr bool alpha0_alpha2_is_involution() {
     return true;
 }
 
-/// alpha0 keeps edge and face, alpha1 keeps corner and face, alpha2 keeps corner and edge.
+/// True if alpha0 keeps edge and face, alpha1 keeps corner and face, and alpha2 keeps corner and edge.
 template <class Cell>
 constexpr bool each_alpha_changes_one_dimension() {
     for (int d = 0; d < Cell::darts; ++d) {
@@ -78,8 +78,8 @@ constexpr bool each_alpha_changes_one_dimension() {
     return true;
 }
 
-/// The orbits <alpha1, alpha2> are the corners: the walk from a corner's smallest dart meets each of its darts once and
-/// closes.
+/// True if the orbits <alpha1, alpha2> are the corners: the walk from a corner's smallest dart meets each of the
+/// corner's darts once and closes.
 template <class Cell>
 constexpr bool corners_are_orbits() {
     std::array<bool, static_cast<std::size_t>(Cell::darts)> met{};
@@ -97,7 +97,7 @@ constexpr bool corners_are_orbits() {
     return Cell::corners * Cell::corner_darts == Cell::darts;
 }
 
-/// All that a cell of a 3-G-map owes.
+/// True if the cell satisfies all axioms of a cell of a 3-G-map.
 template <class Cell>
 constexpr bool axioms_hold() {
     return is_free_involution<Cell>(0) && is_free_involution<Cell>(1) && is_free_involution<Cell>(2) &&

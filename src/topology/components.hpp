@@ -10,12 +10,13 @@
 
 namespace cracksim::topology {
 
-/// Lowers each local entity's label to the smallest one in its component, as far as this rank sees: entities are joined
-/// over the sewn faces of owned entities (owned[e] != 0). True if a label changed. Start with each entity's own id;
-/// exchange the halo's labels and repeat until no rank changes one: the label is then the component's smallest entity.
+/// Lowers each local entity's label to the smallest label in its component on this rank. Two entities belong to one
+/// component if a sewn face of an owned entity (owned[e] != 0) joins them. Returns true if a label changed.
+/// To label components over all ranks, start with each entity's own id, then alternate this function and an exchange of
+/// the halo's labels until no rank changes a label. The label is then the component's smallest entity.
 bool lower_to_component(const GMap& map, std::span<const std::uint8_t> owned, IdArray<LocalEntity, EntityId>& labels);
 
-/// Lowers each entity's label to the smallest one of its set. True if a label changed.
+/// Lowers each entity's label to the smallest label in its set. Returns true if a label changed.
 bool lower_labels(DisjointSets& sets, IdArray<LocalEntity, EntityId>& labels);
 
 }  // namespace cracksim::topology

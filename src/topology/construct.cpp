@@ -11,8 +11,8 @@
 namespace cracksim::topology {
 namespace {
 
-/// Finds places in an ascending list. It tries the place after the last one found first: entities in ascending order
-/// ask for their neighbours in nearly ascending order.
+/// Finds ids in an ascending list. It first tries the position after the last one found, because entities in ascending
+/// order have neighbours in nearly ascending order.
 class Places {
 public:
     explicit Places(std::span<const EntityId> ids) : ids_{ids} {}

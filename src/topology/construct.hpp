@@ -9,8 +9,8 @@
 
 namespace cracksim::topology {
 
-/// The map of the given entities, in their order: faces shared by two of them are sewn, and so are, until an owner's
-/// mask says otherwise, those shared with an entity that is not among them (remote). local_entities must ascend.
+/// Builds the map of the given entities, in their order. A face shared by two of them is sewn. A face shared with an
+/// entity that is not among them (remote) is sewn until set_sewn_mask() frees it. local_entities must ascend.
 [[nodiscard]] GMap construct(const Block& block, std::span<const EntityId> local_entities);
 
 /// Unsews the faces of a whole map that have a corner pair whose masses share no union: shares_union(mass, mass). So a body that has

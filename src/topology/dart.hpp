@@ -12,8 +12,8 @@ namespace cracksim::topology {
 
 using Cell = HexahedronCell;
 
-/// A dart of this rank's map: 48 * local entity + dart of the cell. A default-made dart is none. Never stored in lists,
-/// so 64 bits cost nothing and no block is too large.
+/// A dart of this rank's map: 48 * local entity + dart of the cell. A default-constructed dart means none. Darts are
+/// never stored in lists, so 64 bits cost no memory and suffice for any block.
 using Dart = Id<struct DartTag, std::int64_t>;
 
 [[nodiscard]] constexpr Dart dart_of(LocalEntity entity, int in_cell) {
@@ -28,7 +28,7 @@ using Dart = Id<struct DartTag, std::int64_t>;
 [[nodiscard]] constexpr int in_cell(Dart dart) { return static_cast<int>(dart.value() % Cell::darts); }
 [[nodiscard]] constexpr int face_of(Dart dart) { return Cell::face(in_cell(dart)); }
 
-/// The association of topology with physics (Riffet et al. 2018): the volume corner, orbit <alpha1, alpha2>, is one
+/// The association of topology with physics (Riffet et al. 2018): each volume corner, orbit <alpha1, alpha2>, is one
 /// mass.
 [[nodiscard]] constexpr LocalMass mass_of(Dart dart) {
     return local_mass(entity_of(dart), Cell::corner(in_cell(dart)));

@@ -7,11 +7,12 @@
 
 namespace cracksim::topology {
 
-/// Where a face was sewn at construction, in 4 bytes: a face of a local entity, an entity that is not local (remote),
-/// or nothing (the block's boundary). Face corner k meets corner (rotation - k) mod 4 of the other face.
+/// The face to which a face was sewn at construction, in 4 bytes: a face of a local entity, a face of an entity that is
+/// not local (remote), or none (the block's boundary). Face corner k meets corner (rotation - k) mod 4 of the other
+/// face.
 class FaceLink {
 public:
-    /// Local entities that a link can name.
+    /// Number of local entities that a link can address.
     static constexpr std::int32_t entity_limit = std::int32_t{1} << 26;
 
     [[nodiscard]] static constexpr FaceLink boundary() { return FaceLink{-1}; }
@@ -26,7 +27,7 @@ public:
     [[nodiscard]] constexpr bool is_remote() const { return code_ == -2; }
     [[nodiscard]] constexpr bool is_local() const { return code_ >= 0; }
 
-    /// The other side. Requires is_local().
+    /// The entity on the other side. Requires is_local(), as do face() and rotation().
     [[nodiscard]] constexpr LocalEntity entity() const { return LocalEntity{code_ / 32}; }
     [[nodiscard]] constexpr int face() const { return code_ / 4 % 8; }
     [[nodiscard]] constexpr int rotation() const { return code_ % 4; }
@@ -41,8 +42,8 @@ private:
 
 static_assert(sizeof(FaceLink) == 4);
 
-/// The edge that edge k of a face meets over a link, end for end: it joins corners k and k + 1, which meet corners
-/// rotation - k and rotation - k - 1.
+/// The edge of the other face that edge k meets over a link, in the opposite direction: edge k joins corners k and
+/// k + 1, which meet corners rotation - k and rotation - k - 1.
 [[nodiscard]] constexpr int edge_met(int rotation, int k, int face_corners) {
     return (rotation - k - 1 + 2 * face_corners) % face_corners;
 }

@@ -8,8 +8,8 @@
 
 namespace cracksim::topology {
 
-/// A vector whose first N elements live in itself, so that the orbits of a block need no allocation; it may grow
-/// beyond.
+/// A vector that stores up to N elements inside the object, so that the orbits of a block need no allocation. It moves
+/// to the heap when it grows beyond N.
 template <class T, std::size_t N>
 class InlineVector {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -32,7 +32,7 @@ public:
         }
         ++size_;
     }
-    /// Adds a value that is not there yet; linear in the size.
+    /// Appends the value unless the vector contains it already. The cost is linear in the size.
     void insert(T value) {
         if (!contains(value)) {
             push_back(value);

@@ -10,7 +10,7 @@
 namespace cracksim::topology {
 namespace {
 
-/// The masses of one split with their parts, ascending by mass.
+/// The masses of one split with the part of each, in ascending order of masses.
 class Parting {
 public:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);

@@ -5,11 +5,12 @@
 
 namespace cracksim::topology {
 
-/// Makes a face and the one it is sewn to free: alpha3 is undone for all 8 darts of both, as the G-map's axioms force.
+/// Frees a face and the face sewn to it: removes alpha3 at all 8 darts of both, as the axioms of the G-map require.
 /// Requires a sewn face whose other side is local.
 void unsew(GMap& map, LocalEntity entity, int face);
 
-/// Sews a face again to the one it was sewn to at construction. Requires both free, and the other side local.
+/// Sews a face again to the face to which it was sewn at construction. Requires both faces free and the other side
+/// local.
 void sew(GMap& map, LocalEntity entity, int face);
 
 }  // namespace cracksim::topology

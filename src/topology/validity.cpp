@@ -5,14 +5,15 @@
 namespace cracksim::topology {
 namespace {
 
-/// alpha3 of a dart of one cell over a link, as GMap has it: the dart of the other cell.
+/// alpha3 of a dart over a link, as GMap defines it: a dart of the other cell.
 template <class AnyCell>
 constexpr int over_link(int face_there, int rotation, int dart) {
     return AnyCell::dart(face_there, edge_met(rotation, AnyCell::place(dart), AnyCell::face_corners),
                          1 - AnyCell::end(dart));
 }
 
-/// alpha3, alpha0 alpha3 and alpha1 alpha3 are involutions at a dart of face `here` linked to face `there`.
+/// True if alpha3, alpha0 alpha3 and alpha1 alpha3 are involutions at a dart of face `here`, which is linked to face
+/// `there`.
 template <class AnyCell>
 constexpr bool axioms_hold_over(int here, int there, int rotation, int dart) {
     const auto across = [&](int d) { return over_link<AnyCell>(there, rotation, d); };
@@ -43,7 +44,7 @@ constexpr bool axioms_hold_over_any_link() {
 static_assert(axioms_hold<Cell>());
 static_assert(axioms_hold_over_any_link<Cell>());
 
-/// Both sides name each other and agree on being sewn.
+/// True if both sides of a link refer to each other and are both sewn or both free.
 bool sides_agree(const GMap& map, LocalEntity entity, int face) {
     const FaceLink to = map.link(entity, face);
     return !to.is_local() || (map.link(to.entity(), to.face()) == FaceLink::local(entity, face, to.rotation()) &&
@@ -81,7 +82,7 @@ std::optional<std::string> check_target(const GMap& map, LocalEntity entity, int
     return name(entity, face) + " is linked to an entity or face that does not exist";
 }
 
-/// Also of free faces: what was sewn at construction must be known alike from both sides.
+/// Checks free faces too: both sides must have the same link from construction.
 std::optional<std::string> check_return(const GMap& map, LocalEntity entity, int face) {
     const FaceLink to = map.link(entity, face);
     if (!to.is_local() || map.link(to.entity(), to.face()) == FaceLink::local(entity, face, to.rotation())) {
@@ -106,7 +107,7 @@ std::optional<std::string> check_involution(const GMap& map, int i, Dart dart) {
 }
 
 std::optional<std::string> check_composition(const GMap& map, int i, int j, Dart dart) {
-    // alpha0 and alpha1 stay in the face, so all darts on the way lead to local entities if the first does.
+    // alpha0 and alpha1 stay in the face, so if alpha3 is local at the first dart, it is local at all of them.
     if (j == 3 && map.alpha(3, dart) == Dart{}) {
         return std::nullopt;
     }
@@ -142,7 +143,7 @@ bool corners_share_unions(LocalEntity entity, int face, FaceLink to,
     return true;
 }
 
-/// The first reason that a check of one face gives, over all faces.
+/// Calls check(entity, face) for all faces and returns the first reason found.
 template <class Check>
 std::optional<std::string> first_of_faces(const GMap& map, const Check& check) {
     for (LocalEntity e{0}; e.value() < map.entity_count(); ++e) {

@@ -7,7 +7,7 @@
 
 namespace cracksim::topology {
 
-/// Disjoint sets of 0..size-1 under joining (Galler and Fischer 1964). The smallest member represents its set, so the
+/// Disjoint sets (union-find) of 0..size-1 (Galler and Fischer 1964). The smallest member represents its set, so the
 /// result does not depend on the order of the joins.
 class DisjointSets {
 public:

@@ -6,7 +6,7 @@ namespace cracksim::topology {
 namespace {
 
 constexpr std::int32_t no_front = -1;
-/// In next_: in no queue; the default is the end of one.
+/// Value in next_ of an entity that is in no queue. None (the default) marks the end of a queue.
 constexpr LocalEntity not_queued{-2};
 
 }  // namespace
@@ -20,7 +20,7 @@ void make_root(LocalEntity entity, Parents& parents) {
 
 ReplacementEdgeSearch::ReplacementEdgeSearch(std::size_t entities) : next_(entities, not_queued), front_of_(entities, no_front) {}
 
-// Growth also begins at the parents: most links that hold are near the cut.
+// The fronts above the cuts start at the parents of the orphans: most replacement edges are near the cut.
 void ReplacementEdgeSearch::start(std::span<const LocalEntity> orphans, Parents& parents) {
     std::vector<LocalEntity> left;
     for (const LocalEntity orphan : orphans) {
@@ -68,7 +68,7 @@ LocalEntity ReplacementEdgeSearch::take(std::int32_t front) {
     return entity;
 }
 
-// Of two subtrees the one without the root is hung on the other: its path to where it hangs is the shorter one.
+// The subtree without the old root is attached to the other one: the path that make_root() reverses is shorter there.
 void ReplacementEdgeSearch::reach(std::int32_t front, LocalEntity from, LocalEntity entity, Parents& parents) {
     if (next_[entity] != not_queued && find(front_of_[entity]) == front) {
         return;

@@ -10,20 +10,22 @@
 
 namespace cracksim::topology {
 
-/// The tree that holds a tree together: by entity, the one that it hangs on by a link; none at the root.
+/// A spanning forest: for each entity, the parent to which a link joins it; none at a root.
 using Parents = IdArray<LocalEntity, LocalEntity>;
 
-/// Finds what has come off after links of trees were cut, without a look at the whole. A cut tree is some subtrees. A
-/// front grows in each of them, all in turn, and looks for a link to another subtree: where it finds one, that is hung on
-/// again and two fronts become one. One that has no neighbour left has come off. The search ends as soon as a single front
-/// is left. So its cost follows what came off, or the way to the next link that still holds.
+/// Searches for replacement edges after links of a spanning tree were cut, without visiting the whole tree. The cuts
+/// divide the tree into subtrees. One search front grows in each subtree, in turn. When a front finds a link to another
+/// subtree, the two subtrees are joined by that link and their fronts merge. A front without an unvisited neighbour has
+/// visited a whole subtree that has come off. The search ends as soon as only one front is left. So its cost grows with
+/// the size of the subtrees that came off, or with the distance to the replacement edges.
 class ReplacementEdgeSearch {
 public:
     explicit ReplacementEdgeSearch(std::size_t entities);
 
-    /// orphans: entities of one tree whose link to their parent was cut. links.for_each_neighbour(entity, visit) calls
-    /// visit(other) for each entity that is linked to it; links must be known alike from both ends. Afterwards parents are
-    /// trees again; came_off(entities) was called for each of them but one, which was not walked through.
+    /// orphans: entities of one tree whose link to their parent was cut. links.for_each_neighbour(entity, visit) must
+    /// call visit(other) for each entity that is linked to `entity`, and must be symmetric. Afterwards `parents` is a
+    /// spanning forest again. came_off(entities) is called for every tree that remains but one, which the search does
+    /// not visit as a whole.
     template <class Links, class CameOff>
     void run(std::span<const LocalEntity> orphans, Parents& parents, const Links& links, const CameOff& came_off) {
         start(orphans, parents);
@@ -45,32 +47,34 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const { return next_.bytes() + front_of_.bytes(); }
 
 private:
-    /// Entities chained by next_: an entity is in one queue at most.
+    /// A linked list of entities through next_; an entity is in at most one queue.
     struct Queue {
         LocalEntity first;
         LocalEntity last;
     };
     struct Front {
-        Queue seen;           ///< whose neighbours were reached
-        Queue to_see;         ///< the others
-        std::int32_t joined;  ///< the front that took this one over; itself if none did
-        bool has_root;        ///< of the tree before it was cut
-        bool ended;
+        Queue seen;           ///< entities whose neighbours were visited
+        Queue to_see;         ///< entities whose neighbours are still to be visited
+        std::int32_t joined;  ///< the front into which this one merged; this one itself if it did not merge
+        bool has_root;        ///< the subtree contains the root of the tree before the cuts
+        bool ended;           ///< the subtree was visited completely: it has come off
     };
 
     void start(std::span<const LocalEntity> orphans, Parents& parents);
     std::int32_t add_front(LocalEntity root, bool has_root);
-    /// Fronts take turns; those that ended or joined another drop out.
+    /// The next front, round-robin; fronts that ended or merged are removed from the round.
     std::int32_t next_in_turn();
-    /// The next entity of a front to be seen; none if there is none left.
+    /// Moves the first entity of to_see to seen and returns it; none if to_see is empty.
     LocalEntity take(std::int32_t front);
+    /// Visits a neighbour of `from`: queues it, or merges the fronts if it belongs to another subtree.
     void reach(std::int32_t front, LocalEntity from, LocalEntity entity, Parents& parents);
     void join(std::int32_t front, std::int32_t other);
     void end(std::int32_t front);
     [[nodiscard]] const std::vector<LocalEntity>& members(std::int32_t front);
     void clear();
 
-    /// The front in whose subtree an entity is: that of the first entity upward that knows.
+    /// The front of the entity's subtree: the front of the first entity on the path to the root that has one. If none
+    /// has, the function adds a front at the root.
     [[nodiscard]] std::int32_t front_above(LocalEntity entity, const Parents& parents);
     [[nodiscard]] std::int32_t find(std::int32_t front);
     Front& at(std::int32_t front) { return fronts_[static_cast<std::size_t>(front)]; }
@@ -80,7 +84,7 @@ private:
 
     IdArray<LocalEntity, LocalEntity> next_;
     IdArray<LocalEntity, std::int32_t> front_of_;
-    std::vector<LocalEntity> known_;  ///< that have a front
+    std::vector<LocalEntity> known_;  ///< entities that have a front
     std::vector<LocalEntity> path_;
     std::vector<Front> fronts_;
     std::vector<std::int32_t> turns_;
@@ -90,7 +94,7 @@ private:
     std::size_t living_{0};
 };
 
-/// Makes an entity the root of its tree.
+/// Makes an entity the root of its tree: reverses the parents on its path to the old root.
 void make_root(LocalEntity entity, Parents& parents);
 
 }  // namespace cracksim::topology

@@ -10,14 +10,14 @@
 
 namespace cracksim::topology {
 
-/// A tree of this rank's entities; its number says nothing outside this rank.
+/// Number of a tree of this rank's entities, meaningful on this rank only.
 using Tree = Id<struct TreeTag, std::int32_t>;
 
-/// This rank's entities in trees that only ever fall apart, because links between entities are only ever cut. Each tree
-/// is known by its smallest owned entity, and held together by a tree: while only links that are not in the tree are cut,
-/// there is nothing to do.
+/// The connected components of this rank's entities, each with a spanning tree, for links that are only ever cut. Each
+/// tree is identified by its smallest owned entity. Cutting a link that is not in a tree costs nothing.
 ///
-/// Links are a class with for_each_neighbour(entity, visit) as for ReplacementEdgeSearch, and joins(a, b): is there a link.
+/// Links is a class with for_each_neighbour(entity, visit), as for ReplacementEdgeSearch, and joins(a, b), which is
+/// true if a link joins a and b.
 class SpanningForest {
 public:
     /// owned must outlive this.
@@ -35,11 +35,11 @@ public:
     /// None for a tree without an owned entity.
     [[nodiscard]] LocalEntity smallest_owned(Tree tree) const { return smallest_owned_[tree.index()]; }
     [[nodiscard]] std::size_t size() const { return smallest_owned_.size(); }
-    /// SpanningForest that hold an owned entity.
+    /// Number of trees that contain an owned entity.
     [[nodiscard]] std::int64_t owned_count() const { return owned_count_; }
 
-    /// Brings the trees up to date after links were cut: cut_at must name all entities at their ends. True if a tree fell
-    /// apart.
+    /// Updates the trees after links were cut. cut_at: all entities at the ends of the cut links. Returns true if a
+    /// tree fell apart.
     template <class Links>
     bool part(std::span<const LocalEntity> cut_at, ReplacementEdgeSearch& search, const Links& links) {
         const std::size_t before = size();
@@ -63,7 +63,7 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
-    /// A new tree of all entities that links lead to.
+    /// Makes a tree of all entities that links connect to `root`.
     template <class Links>
     void grow(LocalEntity root, const Links& links) {
         std::vector<LocalEntity> members{root};
@@ -82,11 +82,12 @@ private:
     }
 
     void sort_by_tree(std::vector<LocalEntity>& entities) const;
-    /// How many entities at the beginning are in one tree.
+    /// Number of leading entities that are in the tree of the first one.
     [[nodiscard]] std::size_t first_tree_length(std::span<const LocalEntity> entities) const;
-    /// Makes a new tree.
+    /// Makes a new tree of the members.
     void take_off(const std::vector<LocalEntity>& members);
-    /// After others came off. Never looks back: a tree's smallest entity only ascends.
+    /// Updates the smallest owned entity of a tree from which entities came off. Searches upward only, because the
+    /// smallest entity of a tree never descends.
     void find_smallest_owned(Tree rest);
     void set_smallest_owned(Tree tree, LocalEntity entity);
 
