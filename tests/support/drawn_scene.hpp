@@ -9,16 +9,14 @@
 
 namespace cracksim::test {
 
-/// A random scene that most likely cracks: the text that a user would write, its meaning, and the options that were
-/// drawn.
+/// A random scene that most likely cracks: the text that a user would write, its meaning, and the drawn options.
 struct DrawnScene {
     std::string text;
     oracle::Scene scene;
     std::set<std::string> options;
 };
 
-/// Draws the same scene for the same seed: at most 500 entities, strains of a few times the threshold, at most 300
-/// steps.
+/// The same scene for the same seed: at most 500 entities, strains of a few times the threshold, at most 300 steps.
 [[nodiscard]] DrawnScene draw_scene(std::uint64_t seed);
 
 /// All options that may be drawn.

@@ -82,8 +82,7 @@ private:
         }
     }
 
-    /// The sensor of a duplet measures the distance from P to Q, the two masses one edge off the shared face on either
-    /// side.
+    /// A duplet's sensor measures the distance of P and Q, the masses one edge off the shared face on either side.
     void decide(std::size_t d) {
         const auto& [a, b, axis] = duplets_[d];
         const double rest = 2 * scene_.edge[axis];
@@ -116,8 +115,7 @@ private:
         }
     }
 
-    /// Corners that differ along one axis are joined by an edge, along all three axes by a diagonal, along two by
-    /// nothing.
+    /// An edge joins corners that differ along one axis, a diagonal those that differ along all three axes.
     void interact(std::size_t i, std::size_t j, const std::vector<Vector>& velocity) {
         Vector rest{};
         int differing = 0;

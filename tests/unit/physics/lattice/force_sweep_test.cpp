@@ -91,8 +91,8 @@ TEST(ForceSweep, SumsTheModelsForcesOverUnionsInAnyStateOfSplits) {
     }
 }
 
-/// Displaces the union at an entity's corner 0. Its stretched interactions force the other interactions of their
-/// vectors into a branch for large strains, which must not change the forces of these.
+/// Displaces the union at an entity's corner 0. Its stretched interactions force all interactions of their vectors into
+/// the branch for large strains. The forces of the other interactions must not change.
 void expect_that_only_its_neighbours_notice(Precision precision, EntityId entity, Vec3 displacement) {
     test::SerialBlock block;
     block.cells = {40, 3, 3};
@@ -215,8 +215,7 @@ TEST(ForceSweep, KeepsItsDigitsAtTinyStrain) {
         state.set_displacement(state.unions.union_of(m), {tiny * network.rest_position(m).x, 0, 0});
     }
     accumulate_forces(network, state, Measure::nothing);
-    // The block is stretched along x: each corner feels an edge with k1 tiny and a diagonal with k3 (tiny/sqrt 3)/sqrt
-    // 3.
+    // Stretched along x, each corner feels an edge with k1 tiny and a diagonal with k3 (tiny/sqrt 3)/sqrt 3.
     const Vec3 force = state.force(state.unions.union_of(LocalMass{0}));
     EXPECT_NEAR(force.x / tiny, 0.2 + 0.3 / 3, 1e-12);
 }

@@ -73,8 +73,7 @@ TEST(SharedEdges, KnowsWhereAllCarryWhatEntitiesInsideAnIntactBlockDo) {
     const Network network = block.network();
     State state{network, Scheme::cordis, 0.3};
     std::size_t before = halves_inside(network, state);
-    // All half batches but the first and the last of the six of a row, and but the rows at the block's lower and upper
-    // faces.
+    // Of the six half batches of a row, all but the first and the last; no rows at the block's lower and upper faces.
     EXPECT_EQ(before, 4U * 3 * 2);
     for (std::uint64_t round = 0; before > 0; ++round) {
         ASSERT_LT(round, 30U);
