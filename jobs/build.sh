@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Configures and builds a preset; quiet unless it fails. Usage: jobs/build.sh PRESET [target...]
+# Configures and builds a preset; prints the build's output only if it fails. Usage: jobs/build.sh PRESET [target...]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 preset=$1

@@ -5,10 +5,10 @@
   xvfb-run -a pvpython jobs/render.py DIR --view topology --frame 12 --out map.png
   xvfb-run -a pvpython jobs/render.py DIR --out movie.mp4
 
-geometry: the free faces, the original boundary grey and crack faces red, the later they opened the lighter.
-crack:    crack faces alone.
+geometry: the free faces: the original boundary grey, crack faces red, lighter if they opened later.
+crack:    the crack faces only.
 masses:   a sphere on each mass, coloured by fragment.
-topology: the faces inside the block, shrunk, sewn ones blue and unsewn ones orange.
+topology: the faces inside the block, shrunk: sewn faces blue, unsewn faces orange.
 """
 import argparse
 import json
@@ -102,9 +102,9 @@ def points_of(file):
 
 
 def place_camera(view, points, viewpoint, radius):
-    """All is in the picture but a lone fragment that flies away: it does not make the block small.
+    """Places the camera so that the picture shows all but lone fragments far away, which would make the block small.
 
-    radius: of what is drawn around each point.
+    radius: that of the sphere drawn around each point.
     """
     towards = -viewpoint / numpy.linalg.norm(viewpoint)
     right = numpy.cross(towards, [0, 0, 1])
@@ -154,7 +154,7 @@ def cells_where(source, array, lower, upper):
 
 
 def draw_faces(view, source, latest):
-    """Free faces; the colours of cracks run up to the time `latest` in all frames of a movie alike."""
+    """Draws free faces; the colours of cracks range up to the time `latest`, the same in all frames of a movie."""
     boundary = cells_where(source, "opened_at", -2, -0.5)
     cracks = cells_where(source, "opened_at", -0.5, 1e300)
     shown(view, boundary, BOUNDARY)
@@ -165,7 +165,7 @@ def draw_faces(view, source, latest):
 
 
 def draw_masses(view, source, radius):
-    """Neighbouring ids get colours far apart: the fraction of id times the golden section."""
+    """Gives neighbouring ids distant colours: the fractional part of the id times the golden ratio."""
     by_point = CellDatatoPointData(Input=source)
     mixed = Calculator(Input=by_point, AttributeType="Point Data", ResultArrayName="colour",
                        Function="fragment*0.6180339887 - floor(fragment*0.6180339887)")
@@ -194,7 +194,7 @@ def last_opening(file):
 
 
 def mass_radius(directory):
-    """A third of the edge that is neither the longest nor the shortest."""
+    """A third of the median edge."""
     for line in (directory / "input.resolved.yaml").read_text(encoding="utf-8").splitlines():
         if line.strip().startswith("edge: "):
             return float(numpy.median([float(side) for side in line.split(":")[1].strip(" []").split(",")])) / 3

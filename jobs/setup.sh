@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing of the named sections of packages.txt. Usage: jobs/setup.sh build [test] [long]
+# Installs the missing packages of the named sections of packages.txt. Usage: jobs/setup.sh build [test] [long]
 set -euo pipefail
 list=$(dirname "${BASH_SOURCE[0]}")/packages.txt
 [[ $# -gt 0 ]] || { echo "usage: jobs/setup.sh SECTION... (the sections of $list)" >&2; exit 2; }
@@ -33,7 +33,7 @@ apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg
 install() { apt install --no-install-recommends "${missing[@]}"; }
 
 echo "setup: installing ${#missing[@]} packages (first time: some minutes)"
-# The package lists of a fresh machine are absent or too old: then, and only then, they are brought up to date.
+# On a fresh machine the package lists are absent or too old; they are updated only if the installation fails.
 if ! install && ! { apt update && install; }; then
     cat "$log" >&2
     echo "setup: could not install: ${missing[*]}" >&2

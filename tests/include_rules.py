@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails on an include that breaks the rules of src/README.md, on a cycle of includes, and on a library outside its rooms.
+"""Fails on an include that breaks the rules of src/README.md, a cycle of includes, or a library outside its rooms.
 
 Usage: include_rules.py [--self-test] [ROOT]
 """
@@ -8,7 +8,7 @@ import re
 import sys
 import tempfile
 
-# The folders of code, and what each room sees of the others: whole rooms, or single headers (the doors).
+# The folders of code. For each room, the rooms or single headers (doors) that it may include.
 FOLDERS = {"src": None, "partition": "partition", "io": "io", "tests": "tests"}
 SEES = {
     "core": [],
@@ -22,9 +22,9 @@ SEES = {
     "tests": ["core", "physics", "topology", "geometry", "partition", "io", "simulation"],
 }
 
-TEST_FOLDERS = ["fuzz", "support", "unit"]  # where tests share headers
+TEST_FOLDERS = ["fuzz", "support", "unit"]  # folders whose headers tests share
 
-# Each outside library, by the beginning of its headers' paths, and the rooms that may name it; tests may name any.
+# Each outside library by the beginning of its headers' paths, and the rooms that may include it; tests may include any.
 LIBRARIES = {
     "mpi.h": ["partition", "io"],
     "petsc": ["partition"],
@@ -64,7 +64,7 @@ def room_of(root, path):
 
 
 def name_of(root, path):
-    """The path by which others include the file: from src/, tests/ or the root."""
+    """The path by which other files include this file: relative to src/, tests/ or the root."""
     relative = path.relative_to(root)
     return (relative.relative_to(relative.parts[0]) if relative.parts[0] in ("src", "tests") else relative).as_posix()
 

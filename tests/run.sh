@@ -9,13 +9,13 @@ trap 'rm -f "$log"' EXIT
 passed=0
 failed=0
 
-# stage NAME COMMAND...: one line with the outcome and the time; what the command said only if it fails.
+# stage NAME COMMAND...: prints one line with the outcome and the time, and the output of the command only if it fails.
 stage() {
     local name=$1 start=$SECONDS outcome=passed good bad
     shift
     "$@" >"$log" 2>&1 || outcome=FAILED
     [[ $outcome == passed ]] || cat "$log"
-    # A run of ctest counts as its tests, anything else as one.
+    # A run of ctest counts as its tests, any other stage as one test.
     read -r bad good < <(sed -nE 's/^.*tests passed, ([0-9]+) tests failed out of ([0-9]+)$/\1 \2/p' "$log") || bad=
     if [[ -n $bad ]]; then
         good=$((good - bad))
@@ -36,7 +36,7 @@ check_format() {
     source_files | xargs clang-format --dry-run --Werror
 }
 
-# Sources changed since the main branch, or by the last commit: at most 20, those of this work tree first.
+# Sources that changed since the main branch, or in the last commit: at most 20, uncommitted changes first.
 changed_sources() {
     local base
     base=$(git merge-base HEAD origin/main 2>/dev/null) || base=

@@ -8,12 +8,12 @@ namespace {
 
 using Map = CgalMap::Map;
 
-/// A dart of each lower face of a hexahedron, by axis, from the one that CGAL returns.
+/// A dart of each lower face of a hexahedron, by axis, found from the dart that CGAL returns.
 std::array<Map::Dart_handle, 3> lower_darts(Map& map, Map::Dart_handle first) {
     return {first, map.alpha<2>(first), map.alpha<1, 2>(first)};
 }
 
-/// The dart of the upper face that meets the neighbour's lower one.
+/// The dart of the opposite, upper face that is sewn to the lower face of the neighbour.
 Map::Dart_handle opposite(Map& map, Map::Dart_handle lower) { return map.alpha<2, 1, 0, 1, 2>(lower); }
 
 }  // namespace
@@ -51,7 +51,7 @@ void CgalMap::unsew(const std::vector<std::int64_t>& faces) {
     }
 }
 
-// The basic iterators mark what they meet, so that no orbit is walked twice.
+// The basic iterators mark the darts that they visit, so that no orbit is walked twice.
 template <class Walk>
 std::int64_t CgalMap::walk(const Walk& darts_of_orbit) {
     const auto met = map_.get_new_mark();

@@ -9,18 +9,19 @@
 
 namespace cracksim::test {
 
-/// What the rows of the table of map.cpp are for CGAL's map. Faces are named by their entity and axis: its upper face.
+/// CGAL's counterpart of the operations that map.cpp measures. A face is named by the entity and the axis whose upper
+/// face it is.
 class CgalMap {
 public:
     using Map = CgalBlock::Map;
 
     explicit CgalMap(const std::array<std::int64_t, 3>& cells);
 
-    /// The block alone, without names of darts: hexahedra, and their faces sewn.
+    /// Builds the block without names of darts: hexahedra, and their sewn faces.
     [[nodiscard]] static Map build(const std::array<std::int64_t, 3>& cells);
 
     void unsew(const std::vector<std::int64_t>& faces);
-    /// Sums over all darts, met volume corner by volume corner, or vertex by vertex.
+    /// Sums over all darts, visited by volume corners or by vertices.
     [[nodiscard]] std::int64_t walk_corners();
     [[nodiscard]] std::int64_t walk_vertices();
     [[nodiscard]] std::int64_t count_free_faces() const;

@@ -1,4 +1,5 @@
-// Time of a coat against the number of entities of the block, for the same splits, beside a look at the whole block.
+// Measures the time of a coat against the number of entities of the block, for the same splits, and compares it with
+// labelling the whole block.
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
@@ -64,7 +65,7 @@ physics::SplitStream splits_of_coat(const physics::SplitStream& all, std::size_t
 
 Block cube(std::int64_t side) { return Block{{side, side, side}, {1, 1, 1}, {}}; }
 
-/// One iteration is all coats, one after the other, in a block that was whole.
+/// One iteration applies all coats, one after the other, to an intact block.
 void modify(benchmark::State& state, const partition::Communicator& comm, std::int64_t side, test::Place place) {
     const Block block = cube(side);
     const partition::Decomposition decomposition = on_one_rank(comm, block);
@@ -82,7 +83,7 @@ void modify(benchmark::State& state, const partition::Communicator& comm, std::i
     state.counters["entities"] = static_cast<double>(block.entity_count());
 }
 
-/// What a coat took before: the labels of all components and fragments, as often as there are coats.
+/// Labels all components and fragments of the block, once for each coat.
 void look_at_all(benchmark::State& state, const partition::Communicator& comm, std::int64_t side) {
     const Block block = cube(side);
     const partition::Decomposition decomposition = on_one_rank(comm, block);

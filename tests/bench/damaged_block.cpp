@@ -17,12 +17,12 @@ namespace {
 using physics::HexahedronPairs;
 using physics::LocalDuplet;
 
-// By interaction, of interaction-inl.hpp: differences of u and w 6, extension 8 (diagonal 12), SeriesRatios 22, dw.d 5,
-// drag 3, multiplicity (k g + drag) 3, dissipation 3, range 1, and the two sums of forces 12.
+// Flops of an interaction in interaction-inl.hpp: differences of u and w 6, quadratic strain 8 (diagonal 12),
+// SeriesRatios 22, dw.d 5, drag 3, multiplicity (k g + drag) 3, dissipation 3, range 1, and the two sums of forces 12.
 constexpr double flops_of_edge = 63;
 constexpr double flops_of_diagonal = 67;
-// A first contribution to each of 8 corners would need no sum (-24), the corners' forces go to the unions (24), dissipation (2). What is
-// computed beside represented interactions, with multiplicity 0, does not count.
+// The first contribution to each of the 8 corners needs no sum (-24), the corners' forces are added to the unions (24),
+// dissipation (2). Computations for edges that another entity represents (multiplicity 0) do not count.
 constexpr double flops_of_entity = 2;
 // w + F dt^2/M and u + w; with ab2 also 1.5 w - 0.5 w.
 constexpr double flops_of_union = 9;
@@ -88,8 +88,8 @@ double flops_of_step(const DamagedBlock& block) {
 
 double bytes_of_step(const DamagedBlock& block) {
     const physics::State& state = block.state;
-    // Of the 10 components (13 with ab2) all are read and all but the dt^2/M are written; the lists of the pool, counted with them,
-    // are small beside.
+    // All of the 10 components (13 with ab2) are read and all but dt^2/M are written. memory_bytes also counts the
+    // lists of the pool, which are small in comparison.
     const double components = state.scheme == physics::Scheme::ab2 ? 13 : 10;
     const double motion = static_cast<double>(state.motion.memory_bytes()) * (2 * components - 1) / components;
     const std::size_t read = state.shared_edges.memory_bytes() + state.pooled.memory_bytes() +

@@ -10,9 +10,10 @@
 
 namespace cracksim::test {
 
-/// A block all on one rank, in slow motion, some of whose unions are split.
+/// A block on one rank, in slow motion, some of whose unions are split.
 struct DamagedBlock {
-    /// share: of the unions that are split, at random, in two by a plane along the grid; 1: all, into single masses.
+    /// share: the fraction of unions, chosen at random, that are split in two by a grid plane; 1: all unions are split
+    /// into single masses.
     DamagedBlock(std::array<std::int64_t, 3> cells, physics::Scheme scheme, double share,
                  physics::Precision precision = physics::Precision::binary64);
 
@@ -20,16 +21,17 @@ struct DamagedBlock {
     physics::State state;
 };
 
-/// The duplets that hold some unions together, at random, over a plane along the grid; of all unions, and every duplet, if share is 1.
+/// The duplets whose inactivation splits a fraction `share` of the unions, chosen at random, by a grid plane; every
+/// duplet if share is 1.
 [[nodiscard]] std::vector<physics::LocalDuplet> parting_duplets(const physics::Network& network,
                                                                 const physics::Lattice& lattice, double share,
                                                                 std::uint64_t seed);
 
-/// Additions and multiplications of a step, FMA as two, as few as the kernel can do with: what is void or represented by another
-/// entity does not count, nor do comparisons.
+/// The fewest additions and multiplications of a step; an FMA counts as two. Void places, edges that another entity
+/// represents, and comparisons do not count.
 [[nodiscard]] double flops_of_step(const DamagedBlock& block);
 
-/// What a step reads and writes if every number comes and goes once.
+/// The bytes that a step reads and writes if every number is read once and written once.
 [[nodiscard]] double bytes_of_step(const DamagedBlock& block);
 
 }  // namespace cracksim::test

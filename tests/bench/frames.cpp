@@ -1,4 +1,5 @@
-// What the frames of a scene take, part by part, kept from frame to frame and made anew: frames SCENE DIR, under mpirun.
+// Measures the frames of a scene part by part, kept from frame to frame and made anew. Usage: frames SCENE DIR, under
+// mpirun.
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -45,7 +46,7 @@ public:
     }
 
 private:
-    /// All ranks start together.
+    /// Adds up the time of an action, which all ranks start together.
     template <class Action>
     auto timed(const std::string& part, const Action& action) {
         comm_.barrier();

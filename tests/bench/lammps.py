@@ -1,4 +1,4 @@
-"""The peer: LAMMPS on the same lattice."""
+"""Runs LAMMPS on the lattice that cracksim uses, for comparison."""
 import pathlib
 import re
 import subprocess
@@ -44,13 +44,13 @@ class Lammps:
         return re.search(rf"(?<!\S){re.escape(style)}(?!\S)", self.help) is not None
 
     def harmonic(self, steps, newton="on", positions=None):
-        """E = K (r - r0)^2, so K = k/2."""
+        """LAMMPS defines the energy as E = K (r - r0)^2, so K = k/2."""
         lines = ["bond_style harmonic"]
         lines += [f"bond_coeff {i + 1} {0.5 * k!r} {length!r}" for i, (k, _, length) in enumerate(self.lattice.springs())]
         return self._script("harmonic", lines, [], steps, newton, "no", positions)
 
     def breakable(self, steps):
-        """bpm/spring: damped, and it looks at each bond whether it breaks; at a strain that is not reached."""
+        """bpm/spring: damped; it tests each bond for breaking, at a strain that is not reached."""
         breaking = 0.1
         before = ["bond_style bpm/spring overlay/pair yes", "special_bonds lj/coul 1 1 1"]
         lines = [f"pair_style zero {1.8 * self.lattice.edge!r} nocoeff", "pair_coeff * *"]
@@ -66,7 +66,7 @@ class Lammps:
         return path
 
     def milliseconds(self, script, ranks, steps):
-        """Of a step, by LAMMPS' own account of its loop."""
+        """The time of a step, from LAMMPS' own loop time."""
         text = self.workplace.run(ranks, self.binary, "-in", script, "-log", "none")
         found = re.search(r"Loop time of (\S+) on (\d+) procs", text)
         if not found or int(found.group(2)) != ranks:
@@ -75,6 +75,6 @@ class Lammps:
 
 
 def read_positions(path):
-    """[x, y, z] by atom id, which count from 1, of a dump sorted by id."""
+    """[x, y, z] by atom id from a dump that is sorted by id; ids count from 1."""
     text = pathlib.Path(path).read_text(encoding="utf-8").split("ITEM: ATOMS id x y z\n")[1]
     return [None, *([float(x) for x in line.split()[1:4]] for line in text.splitlines())]

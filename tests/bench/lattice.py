@@ -1,4 +1,4 @@
-"""A cracksim scene's intact block as LAMMPS has it: an atom for each union, a harmonic bond for all springs of two unions."""
+"""Converts an intact block to LAMMPS: an atom for each union, a harmonic bond for all springs between two unions."""
 import math
 
 CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
@@ -16,7 +16,7 @@ class Lattice:
         self.sizes = [n + 1 for n in self.cells]
 
     def atoms(self):
-        """Grid places in the order of the atoms' ids, x fastest."""
+        """The grid places in the order of the atoms' ids, x fastest."""
         nx, ny, nz = self.sizes
         return [(x, y, z) for z in range(nz) for y in range(ny) for x in range(nx)]
 
@@ -28,12 +28,12 @@ class Lattice:
         return tuple(self.edge * n for n in place)
 
     def velocity(self, x, y, z):
-        """Of the scene, whose expressions are Python's as long as they have no powers."""
+        """The velocity of the scene, whose expressions are valid Python if they have no powers."""
         names = {"sin": math.sin, "cos": math.cos, "x": x, "y": y, "z": z}
         return [eval(component, names) for component in self.components]
 
     def entities_at(self, place, free_axis=None):
-        """How many entities share a vertex, or the edge along an axis that goes up from it."""
+        """The number of entities that share a vertex, or the edge from it upwards along `free_axis`."""
         inside = [0 < n < count for axis, (n, count) in enumerate(zip(place, self.cells)) if axis != free_axis]
         return 2 ** sum(inside)
 
@@ -52,7 +52,7 @@ class Lattice:
         return found
 
     def springs(self):
-        """(stiffness, viscosity, rest length) of each bond type; src/simulation/calibration.hpp has the formulas."""
+        """(stiffness, viscosity, rest length) of each bond type, by the formulas of src/scene/calibration.hpp."""
         young, density, damping = (self.matter[key] for key in ("young", "density", "damping"))
         relaxation = damping * self.edge / math.sqrt(young / density)
         stiffness = [count * 0.2 * self.edge * young for count in SHARED[:3]] + [0.3 * self.edge * young]
@@ -63,13 +63,13 @@ class Lattice:
         return self.matter["density"] * self.edge ** 3 / 8
 
     def entity_atoms(self):
-        """For each entity, ascending, the atoms of its corners."""
+        """The atoms at the corners of each entity, by ascending entities."""
         nx, ny, nz = self.cells
         return [[self.atom_id((x + a, y + b, z + c)) for a, b, c in CORNERS]
                 for z in range(nz) for y in range(ny) for x in range(nx)]
 
     def write(self, path):
-        """As LAMMPS' data file. The box is wider than the block: no boundary acts on it."""
+        """Writes a LAMMPS data file. Its box is wider than the block, so that no boundary acts on the block."""
         places = self.atoms()
         bonds = self.bonds()
         lines = ["a block of hexahedra", "", f"{len(places)} atoms", f"{len(bonds)} bonds",

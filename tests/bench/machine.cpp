@@ -1,4 +1,4 @@
-// What this machine's core can do at most, as rows of the table of tests/bench/run.sh.
+// Prints the limits of this machine's core as rows of the table of tests/bench/run.sh.
 #include <cstdio>
 
 #include "tests/bench/machine_limits.hpp"

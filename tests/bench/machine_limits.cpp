@@ -10,13 +10,13 @@ namespace cracksim::test::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Twelve chains of FMA cover a latency of up to six cycles at two FMA a cycle and leave registers for the factors.
+/// Twelve chains of FMA hide a latency of up to six cycles at two FMA a cycle and leave registers for the factors.
 template <class T>
 HWY_INLINE T MultiplyAdd(std::size_t rounds) {
     const hn::ScalableTag<T> d;
     const auto a = hn::Set(d, static_cast<T>(0.999));
     const auto b = hn::Set(d, static_cast<T>(1e-3));
-    // Each starts elsewhere: the compiler would make one chain of equal ones.
+    // The chains start from different values; the compiler would merge equal chains.
     const auto start = [&](int chain) { return hn::Set(d, static_cast<T>(chain)); };
     auto x0 = start(0), x1 = start(1), x2 = start(2), x3 = start(3), x4 = start(4), x5 = start(5);
     auto x6 = start(6), x7 = start(7), x8 = start(8), x9 = start(9), x10 = start(10), x11 = start(11);
@@ -43,7 +43,7 @@ HWY_INLINE T MultiplyAdd(std::size_t rounds) {
 double MultiplyAddDouble(std::size_t rounds) { return MultiplyAdd<double>(rounds); }
 float MultiplyAddSingle(std::size_t rounds) { return MultiplyAdd<float>(rounds); }
 
-/// What a round of MultiplyAdd counts.
+/// The flops of a round of MultiplyAdd.
 std::size_t FlopsOfRound(bool single) {
     constexpr std::size_t chains = 12;
     return 2 * chains * (single ? hn::Lanes(hn::ScalableTag<float>{}) : hn::Lanes(hn::ScalableTag<double>{}));
@@ -93,7 +93,7 @@ double best_seconds(int attempts, Action&& action) {
 
 double gigaflops(bool single) {
     constexpr std::size_t rounds = 1'000'000;
-    // Volatile, so that the sums are computed.
+    // Volatile, so that the compiler does not remove the computation of the sums.
     volatile double sink = 0;
     const double seconds = best_seconds(15, [&] {
         sink = single ? static_cast<double>(HWY_DYNAMIC_DISPATCH(MultiplyAddSingle)(rounds))
@@ -120,7 +120,7 @@ double triad_gigabytes(std::size_t bytes) {
     return static_cast<double>(3 * sizeof(double) * count * sweeps) / seconds * 1e-9;
 }
 
-/// Of the first core's data cache of a level, as Linux tells it; otherwise the guess.
+/// The size of the first core's data cache of a level, as Linux reports it; otherwise the guess.
 std::size_t cache_bytes(int level, std::size_t guess) {
     for (int index = 0; index < 5; ++index) {
         const std::string folder = "/sys/devices/system/cpu/cpu0/cache/index" + std::to_string(index) + "/";
@@ -148,7 +148,7 @@ MachineLimits measure_limits() {
     const std::size_t l1 = cache_bytes(1, 32U << 10U);
     const std::size_t l2 = cache_bytes(2, 1U << 20U);
     const std::size_t l3 = cache_bytes(3, 32U << 20U);
-    // Half of a cache is surely its own; a shared L3 may be larger than what this core gets.
+    // Half of a cache certainly belongs to this core alone; a shared L3 may be larger than this core's part of it.
     const std::size_t memory = std::min(std::max<std::size_t>(4 * l3, std::size_t{1} << 28), std::size_t{1} << 30);
     MachineLimits limits{
         gigaflops(false), gigaflops(true), {{"L1", l1 / 2}, {"L2", l2 / 2}, {"L3", l3 / 2}, {"memory", memory}}};

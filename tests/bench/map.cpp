@@ -1,4 +1,5 @@
-// What the operations of the map cost on the block of inputs/block.yaml, on one core, beside CGAL's generalized map.
+// Measures the operations of the map on the block of inputs/block.yaml, on one core, and those of CGAL's generalized
+// map.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -41,7 +42,7 @@ std::vector<EntityId> all_entities() {
     return ids;
 }
 
-/// Interior faces in random order: 3 * entity + axis, the upper face.
+/// Interior faces in random order; 3 * entity + axis stands for the entity's upper face.
 std::vector<std::int64_t> faces_in_random_order() {
     std::vector<std::int64_t> faces;
     for (EntityId e{0}; e.value() < block().entity_count(); ++e) {
@@ -110,7 +111,7 @@ void build(benchmark::State& state) {
         static_cast<double>(whole_map().memory_bytes()) / static_cast<double>(block().entity_count());
 }
 
-/// Throws std::logic_error if the map is not the block.
+/// Throws std::logic_error if CGAL's map does not represent the block.
 void build_cgal(benchmark::State& state) {
     for ([[maybe_unused]] auto _ : state) {
         CgalMap::Map map = CgalMap::build(cells);

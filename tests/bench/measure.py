@@ -1,4 +1,4 @@
-"""What the measurements of whole programs share: runs of cracksim, alternating runs, medians, rows of the table."""
+"""Shared by the measurements of whole programs: runs of cracksim, alternating runs, medians, rows of the table."""
 import json
 import os
 import pathlib
@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
-# Ranks stay on their cores, unlike in the tests: a rank that moves loses its caches.
+# Ranks are bound to cores, unlike in the tests: a rank that migrates loses its caches.
 ENVIRONMENT = {
     "OMPI_ALLOW_RUN_AS_ROOT": "1",
     "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
@@ -22,7 +22,7 @@ SILENT = {"rate": 0, "surface": False, "crack": False}
 
 
 class Spread(NamedTuple):
-    """Of repeated measurements."""
+    """Median and extremes of repeated measurements."""
     median: float
     low: float
     high: float
@@ -33,7 +33,7 @@ class Spread(NamedTuple):
 
 
 def intact_scene(cells, steps, damping=0.2, **changes):
-    """A block in slow, smooth motion of about a thousandth of strain; its sensors, if it has any, look but never trigger."""
+    """A block in slow, smooth motion with strains of about a thousandth; its sensors, if it has any, never trigger."""
     length = 0.01 * cells[0]
     wave = f"{2 * 3.14159265358979 / length:.6g}"
     scene = {
@@ -59,7 +59,7 @@ class Workplace:
         self._runs = 0
 
     def run(self, ranks, *command):
-        """Standard output of a program under mpirun."""
+        """The standard output of a program under mpirun."""
         full = ["mpirun", "-n", str(ranks), *map(str, command)]
         done = subprocess.run(full, cwd=self.path, env={**ENVIRONMENT, **os.environ}, text=True, check=False,
                               stdin=subprocess.DEVNULL, capture_output=True)
@@ -74,10 +74,10 @@ class Workplace:
         return json.loads((directory / "summary.json").read_text(encoding="utf-8")), directory
 
     def cracksim_says(self, binary, scene, ranks, *options):
-        """What it prints; scene: a file, or what is to be in it."""
+        """The standard output of cracksim; scene: the path of a file, or the content of the file."""
         if isinstance(scene, dict):
             file = self.path / "scene.yaml"
-            # JSON is YAML but for its infinity.
+            # JSON is valid YAML except for its infinity.
             file.write_text(json.dumps(scene).replace("Infinity", ".inf"), encoding="utf-8")
         else:
             file = scene
@@ -85,13 +85,13 @@ class Workplace:
 
 
 def step_milliseconds(summary):
-    """Physics and its exchange; no topology, no files."""
+    """The time of a step for physics and exchange, without topology and files."""
     seconds = summary["seconds"]
     return 1e3 * sum(seconds[phase] for phase in ("force", "update", "sense", "exchange")) / summary["time"]["steps"]
 
 
 def alternate(subjects, rounds):
-    """{name: values} of {name: function}. All subjects have a turn in each round: they share what else the machine does."""
+    """{name: values} of {name: function}. Each round calls all functions, so that other load affects them equally."""
     found = {name: [] for name in subjects}
     for _ in range(rounds):
         for name, subject in subjects.items():
@@ -100,7 +100,7 @@ def alternate(subjects, rounds):
 
 
 def ratio(above, below):
-    """Of two alternating measurements: the ratio of the medians, and the extremes of the pairs."""
+    """The ratio of two alternating measurements: that of the medians, with the extremes of the single pairs."""
     pairs = [a / b for a, b in zip(above, below)]
     return Spread(statistics.median(above) / statistics.median(below), min(pairs), max(pairs))
 
@@ -110,5 +110,5 @@ def on_ranks(count):
 
 
 def print_row(group, case, spread, unit, remark=""):
-    """A line of the table that table.py lays out."""
+    """Prints a line of the table that table.py formats."""
     print(group, case, *(f"{value:.4g}" for value in spread), unit, remark, sep="\t", flush=True)

@@ -1,4 +1,5 @@
-// Time of the modification against the number of splits, the masses of a new union and the entities of the block.
+// Measures the time of the modification against the number of splits, the masses of a new union and the entities of the
+// block.
 #include <benchmark/benchmark.h>
 
 #include <chrono>
@@ -20,7 +21,7 @@ namespace {
 using test::Place;
 using Clock = std::chrono::steady_clock;
 
-/// A cube of entities and its map, built once for all measurements.
+/// A cube of entities and its map; built once for all measurements.
 struct Cube {
     explicit Cube(std::int64_t side) : block{{side, side, side}, {1, 1, 1}, {0, 0, 0}}, map{construct(block, ids())} {}
 
@@ -43,13 +44,13 @@ struct Case {
     bool cold;
 };
 
-/// Puts other data in all caches, as the steps of physics between two coats do.
+/// Fills all caches with other data, as the steps of physics between two coats do.
 void fill_caches() {
     std::vector<char> other(std::size_t{1} << 26, 1);
     benchmark::DoNotOptimize(other.data());
 }
 
-/// Seconds of one modification, which is undone.
+/// The time of one modification in seconds; the modification is then undone.
 double time_once(GMap& map, const physics::SplitStream& splits, std::size_t& unsewn) {
     const auto start = Clock::now();
     const Changes changes = modify(map, splits);
@@ -91,7 +92,7 @@ void measure_modification(benchmark::State& state, Cube& cube, const Case& what)
     report(state, cube, what, unsewn);
 }
 
-/// For comparison: the labels of all components, which a coat needs besides, follow the block.
+/// Measures the labelling of all components for comparison; its time grows with the block.
 void measure_labels(benchmark::State& state, const Cube& cube) {
     const std::vector<std::uint8_t> owned(static_cast<std::size_t>(cube.map.entity_count()), 1);
     for ([[maybe_unused]] auto _ : state) {

@@ -1,4 +1,4 @@
-"""cracksim against LAMMPS on the same intact block: the same motion first, then the time of a step.
+"""Compares cracksim with LAMMPS on the same intact block: first the motion, then the time of a step.
 
 Usage: peers.py CRACKSIM [--lammps PATH] [--pairs N] [--quick]
 """
@@ -17,13 +17,13 @@ FARTHEST = 1e-9  # of an edge
 
 
 def plain_scene(steps, **changes):
-    """What LAMMPS' harmonic bonds can do: no damping, no breaking."""
+    """A scene that LAMMPS' harmonic bonds can represent: no damping, no breaking."""
     never = {"kind": "normal", "threshold": float("inf")}
     return intact_scene(CELLS, steps, damping=0, sensors=never, **changes)
 
 
 def largest_difference(lattice, atoms, masses):
-    """Over all masses, in edges; masses: x, y, z of each mass in the order of their ids."""
+    """The largest difference over all masses, in edges; masses: x, y, z of each mass in the order of their ids."""
     farthest = 0.0
     places = iter(range(0, len(masses), 3))
     for corners in lattice.entity_atoms():
@@ -34,7 +34,7 @@ def largest_difference(lattice, atoms, masses):
 
 
 def check_motion(workplace, cracksim, peer, steps):
-    """Both must move all masses the same way, else times compare nothing."""
+    """Checks that both programs move all masses the same way; otherwise their times cannot be compared."""
     for ranks in (1, 2):
         dump = workplace.path / "positions.dump"
         peer.milliseconds(peer.harmonic(steps, positions=dump), ranks, steps)
@@ -51,14 +51,14 @@ def check_motion(workplace, cracksim, peer, steps):
 
 
 def fastest_newton(peer, steps):
-    """Newton's third law across ranks on or off: whichever takes less time here."""
+    """The faster setting of `newton` (Newton's third law across ranks) on this machine: on or off."""
     times = alternate({newton: lambda n=newton: peer.milliseconds(peer.harmonic(steps, n), 1, steps)
                        for newton in ("on", "off")}, 2)
     return min(times, key=lambda newton: min(times[newton]))
 
 
 def compare(workplace, options, peer, ranks, peer_name, script, scenes):
-    """Rows of LAMMPS, of cracksim on some scenes, and of the ratios of their times; all take turns."""
+    """Prints rows of LAMMPS, of cracksim on some scenes, and of the ratios of their times; all runs alternate."""
     subjects = {peer_name: lambda: peer.milliseconds(script, ranks, options.steps)}
     for name, scene in scenes.items():
         subjects[name] = lambda scene=scene: step_milliseconds(workplace.cracksim(options.cracksim, scene, ranks)[0])

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# cracksim and CGAL, LAMMPS on the same block. Usage: tests/bench/peers.sh [--lammps PATH] [--pairs N] [--quick]
-# --lammps: another build than Debian's, such as one with the package BPM; with the MPI of cracksim.
+# Measures cracksim, CGAL and LAMMPS on the same block.
+# Usage: tests/bench/peers.sh [--lammps PATH] [--pairs N] [--quick]
+# --lammps: a build other than Debian's, such as one with the package BPM; it must use cracksim's MPI.
 set -euo pipefail
 options=()
 map=()
@@ -16,5 +17,5 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 jobs/setup.sh build test long
 jobs/build.sh long cracksim map_bench
 python3 tests/bench/peers.py build/release/cracksim "${options[@]}" | python3 tests/bench/table.py
-# Rows of both maps, one after the other.
+# Prints the rows of both maps, one map after the other.
 build/release/tests/map_bench "${map[@]}"

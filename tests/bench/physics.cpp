@@ -1,4 +1,5 @@
-// One core's time for the parts of a step, and its share of what the core could do at most, measured in the same run.
+// Measures the time of one core for the parts of a step, and its share of the core's limits, which are measured in the
+// same run.
 #include <benchmark/benchmark.h>
 
 #include <chrono>
@@ -27,7 +28,7 @@ const MachineLimits& limits() {
     return measured;
 }
 
-/// Made when first asked for: a filter saves the time and the memory of the others.
+/// A block that is built at its first use, so that blocks excluded by a filter cost neither time nor memory.
 class LazyBlock {
 public:
     LazyBlock(std::array<std::int64_t, 3> cells, Scheme scheme, double share, Precision precision)
@@ -53,7 +54,7 @@ using Subject = std::shared_ptr<LazyBlock>;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// The mean time of some calls, in ns for each of `count` things.
+/// The mean time of a call, in ns, divided by `count`.
 template <class Action>
 double nanoseconds_each(benchmark::State& run, std::size_t count, Action&& action) {
     double seconds = 0;
@@ -87,8 +88,8 @@ void measure_advance(benchmark::State& run, const Subject& subject) {
     report_rates(run, block, each * static_cast<double>(entities_of(block)));
 }
 
-/// A hundredth of the vertices are moved so far that an edge along x is stretched beyond its sensors' thresholds; the sensors, two edges
-/// long, are not.
+/// Moves a hundredth of the vertices so far that an edge along x is stretched beyond the thresholds of its sensors; the
+/// stretch of the sensors, which are two edges long, stays below them.
 DamagedBlock alerted(const DamagedBlock& block) {
     DamagedBlock alert = block;
     constexpr std::size_t every = 100;
@@ -125,7 +126,7 @@ void measure_split(benchmark::State& run, const Subject& subject, double share) 
     run.SetLabel("ns/split");
 }
 
-/// What a cut of the block in two hands over: all masses of the entities on one side of a layer across x.
+/// The masses that a cut of the block in two exchanges: all masses of the entities in one layer across x.
 std::vector<LocalMass> masses_at_cut(const DamagedBlock& block) {
     std::vector<LocalMass> masses;
     const std::int64_t middle = block.network.block().cells()[0] / 2;

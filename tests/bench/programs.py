@@ -1,4 +1,4 @@
-"""Whole runs of cracksim: the time of a step by state and size, what ranks gain, memory, and how far from real time.
+"""Measures whole runs of cracksim: time of a step by state and size, gain of ranks, memory, ratio to real time.
 
 Usage: programs.py CRACKSIM [--against OTHER] [--pairs N] [--quick]
 """
@@ -16,7 +16,7 @@ PAPER = (70, 70, 10)
 
 
 def split_scene(cells, steps):
-    """All duplets let go at the first step of a uniform expansion."""
+    """A block in uniform expansion; all its duplets trigger at the first step."""
     grow = "0.02*"
     return intact_scene(cells, steps, sensors={"kind": "normal", "threshold": 1e-9},
                         initial={"velocity": [f"{grow}x", f"{grow}y", f"{grow}z"]})
@@ -27,15 +27,15 @@ def in_single(scene):
 
 
 def steady_milliseconds(summary):
-    """Of a block that fell apart at the first step: only what does not know of that split, forces and update."""
+    """The time of a step of a block that split at the first step: only `force`, which does not include that split."""
     return 1e3 * summary["seconds"]["force"] / summary["time"]["steps"]
 
 
 class Case(NamedTuple):
     name: str
-    scene: object  # as Workplace.cracksim takes it
+    scene: object  # in the form that Workplace.cracksim takes
     milliseconds: Callable = step_milliseconds
-    rounds: int = 0  # 0: as many as asked for
+    rounds: int = 0  # 0: the number that the command line requests
     ranks: tuple = (1, 2)
     settings: tuple = ()  # further arguments of cracksim
 
@@ -52,7 +52,7 @@ def cases(quick):
 
 
 def phases(seconds):
-    """Where the time of a run went, in words."""
+    """The phases that took a hundredth of a run's time or more, as text."""
     rest = {name: spent for name, spent in seconds.items() if name != "total"}
     return "in s: " + ", ".join(f"{name} {spent:.2f}" for name, spent in rest.items() if spent >= 0.01 * seconds["total"])
 
@@ -80,7 +80,7 @@ class Measurements:
         return case.milliseconds(summary)
 
     def times(self, case, summaries):
-        """Milliseconds of a step by number of ranks, and of the other binary under "other"."""
+        """Milliseconds of a step by number of ranks; those of the other binary under "other"."""
         own = self.options.cracksim
         subjects = {ranks: lambda r=ranks: self.run(own, case, r, summaries) for ranks in case.ranks}
         if self.options.against:
@@ -88,7 +88,7 @@ class Measurements:
         return alternate(subjects, case.rounds or self.options.pairs)
 
     def print_times(self, group, case, times, summaries):
-        """summaries: the last by ranks."""
+        """summaries: the last summary by number of ranks."""
         for ranks in case.ranks:
             entities = summaries[ranks]["counts"]["entities"]
             each = 1e6 * Spread.of(times[ranks]).median / entities
@@ -100,7 +100,7 @@ class Measurements:
                       ratio(times["other"], times[case.ranks[0]]), "times")
 
     def fits(self, case):
-        """By the forecast of --dry-run, which knows both ends: nothing breaks, and all of it."""
+        """True if memory suffices, by the forecast of --dry-run for an intact and for a fully split block."""
         ranks = case.ranks[-1]
         forecast = self.workplace.cracksim_says(self.options.cracksim, case.scene, ranks, "--dry-run")
         ends = re.search(r"memory of a rank.*?([\d.]+) (kB|MB|GB) if nothing breaks, ([\d.]+) (kB|MB|GB) if all", forecast).groups()
@@ -130,7 +130,7 @@ class Measurements:
             print_row(group, f"{case.name}, the split itself on {on_ranks(ranks)}", [seconds["update"]] * 3, "s")
 
     def measure_block(self, name, *settings):
-        """inputs/block.yaml: it cracks, with the coat and files at 50 Hz. Physics and the whole from the same runs."""
+        """Measures inputs/block.yaml, which cracks, with coat and files at 50 Hz: physics and the whole, from the same runs."""
         factors = {1: [], 2: []}
 
         def milliseconds(summary):

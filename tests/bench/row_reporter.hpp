@@ -9,8 +9,9 @@
 
 namespace cracksim::test {
 
-/// Prints benchmarks as rows of the table of run.sh. A benchmark sets the counter `value` and, if it likes, `gigaflops`,
-/// `of_peak`, `gigabytes`, `of_triad`; its label is the unit, and what the triad's data were in: "ns/entity|L3".
+/// Prints benchmarks as rows of the table of run.sh. A benchmark sets the counter `value` and optionally `gigaflops`,
+/// `of_peak`, `gigabytes` and `of_triad`. Its label has the unit and the cache or memory of the triad's data:
+/// "ns/entity|L3".
 class RowReporter : public benchmark::BenchmarkReporter {
 public:
     explicit RowReporter(std::string group) : group_{std::move(group)} {}
@@ -37,7 +38,7 @@ public:
     }
 
 private:
-    /// Rates are inverse to the value: those of the first run are scaled to the median.
+    /// Scales the rates of the first run to the median, because rates are inverse to the value.
     static std::string remark(const Run& run, double median) {
         if (!run.counters.contains("gigaflops")) {
             return "";

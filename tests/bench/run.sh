@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# All measurements of speed and memory, as one table; README.md says what each asks. On a machine that does nothing else: half an hour.
+# Prints all measurements of speed and memory as one table; README.md describes their questions. Takes half an hour;
+# nothing else should run on the machine.
 # Usage: tests/bench/run.sh [--lammps PATH] [--against CRACKSIM] [--quick]
 set -euo pipefail
 lammps=()
@@ -21,7 +22,7 @@ physics=(--benchmark_repetitions=7 --benchmark_enable_random_interleaving=true)
 [[ ${#quick[@]} -eq 0 ]] || physics=(--benchmark_filter=49000 --benchmark_min_time=0.05)
 rows=$(mktemp)
 trap 'rm -f "$rows"' EXIT
-# What is found is seen as it is found; the table comes at the end.
+# Rows go to the terminal as they are measured; the table is printed at the end.
 {
     build/release/tests/machine_bench
     build/release/tests/physics_bench "${physics[@]}"

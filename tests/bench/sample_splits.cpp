@@ -10,7 +10,8 @@
 namespace cracksim::test {
 namespace {
 
-/// Of the 8 entities around a vertex, bit k of a set is the one on the upper side along the axes whose bits k has.
+/// True if the entities of a set are connected by faces. Bit k of the set stands for the entity, of the 8 around a
+/// vertex, that is on the upper side along the axes whose bits k has.
 bool hangs_together(unsigned set) {
     unsigned reached = set & (~set + 1);
     for (unsigned before = 0; before != reached;) {
@@ -24,7 +25,7 @@ bool hangs_together(unsigned set) {
     return reached == set;
 }
 
-/// The sets of a size that hang together by faces, as does the rest.
+/// The sets with `size` entities that are connected by faces and whose complement is connected too.
 std::vector<unsigned> sets_of(int size) {
     std::vector<unsigned> sets;
     for (unsigned set = 1; set < 255; ++set) {
@@ -35,7 +36,7 @@ std::vector<unsigned> sets_of(int size) {
     return sets;
 }
 
-/// The vertices inside the cube of entities from `first` to `first + side` along each axis, shuffled.
+/// The shuffled vertices inside the cube of entities from `first` to `first + side` along each axis.
 std::vector<VertexId> vertices_inside(const Block& block, std::int64_t first, std::int64_t side,
                                       std::mt19937_64& random) {
     std::vector<VertexId> vertices;

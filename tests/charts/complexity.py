@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws complexity.png from complexity.csv (tests/long/complexity.sh writes it): what the modification's time follows.
+"""Draws complexity.png, the time of the modification, from complexity.csv, which tests/long/complexity.sh writes.
 
 Usage: complexity.py [CSV [PNG]]
 """
@@ -20,7 +20,7 @@ CASES = [(0, 0, "same splits in the middle, caches warm", "tab:blue", "o", "-"),
 
 
 def medians(path):
-    """A row of numbers for each measurement: the medians over its repetitions, time in microseconds."""
+    """A row of numbers for each measurement: the medians over its repetitions, times in microseconds."""
     with open(path, newline="", encoding="utf-8") as file:
         for row in csv.DictReader(file):
             name, _, statistic = row["name"].rpartition("_")

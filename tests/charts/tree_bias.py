@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What a plane crack leaves behind with duplets `corners` (above) and `tree` (below), normal to x, y, z (from the left).
+"""Draws plane cracks with duplets `corners` (above) and `tree` (below), normal to x, y, z (from the left).
 
   python3 tests/charts/tree_bias.py OUT.png        # after jobs/build.sh release; needs xvfb, ParaView, ffmpeg
 
-Cubes with a weak plane in the middle are pulled apart across it; shown are their crack faces.
+Cubes with a weak plane in the middle are pulled apart across it; the picture shows their crack faces.
 """
 import json
 import pathlib
@@ -33,7 +33,7 @@ def scene(axis, duplets):
 
 
 def picture(folder, axis, duplets):
-    """Runs one scene; a picture of its crack faces, and their area in units of the cross-section."""
+    """Runs one scene; returns a picture of its crack faces, and their area in units of the cross-section."""
     stem = folder / f"{duplets}_{'xyz'[axis]}"
     stem.with_suffix(".yaml").write_text(json.dumps(scene(axis, duplets)), encoding="utf-8")
     directory = stem.with_suffix(".out")

@@ -7,7 +7,7 @@
 
 namespace cracksim::fuzz {
 
-/// Ends the campaign with the input at hand unless the condition holds.
+/// Aborts unless the condition holds; libFuzzer then keeps the current input as a finding.
 inline void require(bool condition, const char* what) {
     if (!condition) {
         std::fprintf(stderr, "finding: %s\n", what);
@@ -15,7 +15,7 @@ inline void require(bool condition, const char* what) {
     }
 }
 
-/// What every message for users owes them.
+/// Checks that a message for users has one line of reasonable length without control characters.
 inline void require_good_message(std::string_view message) {
     constexpr std::size_t longest = 1200;
     require(!message.empty() && message.size() <= longest, "a message is empty, or longer than anyone reads");

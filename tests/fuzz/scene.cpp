@@ -15,10 +15,10 @@ using namespace cracksim;
 
 struct Input {
     std::string scene;
-    std::vector<std::string> settings;  ///< of --set
+    std::vector<std::string> settings;  ///< values of --set
 };
 
-/// No argument of a command holds a NUL byte, so these separate the scene and the settings.
+/// Splits the bytes at NUL bytes into a scene and its settings; no argument of a command can hold a NUL byte.
 Input split(std::string_view bytes) {
     Input input{std::string{bytes.substr(0, bytes.find('\0'))}, {}};
     for (std::size_t nul = bytes.find('\0'); nul != std::string_view::npos;) {

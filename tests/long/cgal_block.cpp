@@ -11,7 +11,7 @@ namespace {
 
 std::int64_t mass_at(std::int64_t entity, int corner) { return 8 * entity + vtk_corner(corner); }
 
-/// Entities from one to the next along each axis: x fastest.
+/// The difference of the ids of neighbouring entities along each axis; ids count x fastest.
 std::array<std::int64_t, 3> strides(const std::array<std::int64_t, 3>& cells) {
     return {1, cells[0], cells[0] * cells[1]};
 }

@@ -10,7 +10,7 @@
 
 namespace cracksim::test {
 
-/// Every dart carries its name (flag.hpp).
+/// Gives every dart of CGAL's map the name that flag.hpp defines.
 struct NamedDarts {
     template <class Map>
     struct Dart_wrapper {
@@ -19,7 +19,7 @@ struct NamedDarts {
     };
 };
 
-/// A mass of a split. All ids are global; a union's id is its smallest mass.
+/// A mass of a union that split. All ids are global; a union's id is its smallest mass.
 struct PartedMass {
     std::int64_t step;
     std::int64_t old_union;
@@ -27,24 +27,24 @@ struct PartedMass {
     std::int64_t mass;
 };
 
-/// A block of hexahedra as CGAL's generalized map, with unions of its own that know of splits only. Shares no code with
-/// cracksim: hexahedra are CGAL's, neighbours and corners are counted here.
+/// A block of hexahedra as CGAL's generalized map, with its own unions, which change by splits only. Shares no code
+/// with cracksim: CGAL makes the hexahedra, and this class computes neighbours and corners.
 class CgalBlock {
 public:
     using Map = CGAL::Generalized_map<3, NamedDarts>;
 
-    /// All faces of neighbouring cells sewn, all masses of a vertex in one union. Throws std::logic_error if CGAL's
-    /// hexahedron is not a cube.
+    /// Sews all faces of neighbouring cells and puts all masses of a vertex in one union. Throws std::logic_error if
+    /// CGAL's hexahedron is not a cube.
     explicit CgalBlock(std::array<std::int64_t, 3> cells);
 
-    /// Puts each mass in its new union. Ordered by step, and within a step by the old union. Throws std::logic_error if
-    /// the masses of a split are not exactly those of one union.
+    /// Puts each mass in its new union. The masses must be ordered by step, and within a step by their old union.
+    /// Throws std::logic_error if the masses of a split are not exactly those of one union.
     void split(std::span<const PartedMass> masses);
-    /// Unsews each face of which two corners that meet are in different unions; by a look at every face of the block.
+    /// Tests every face of the block and unsews it if two of its corners that coincide are in different unions.
     void unsew_parted_faces();
 
     [[nodiscard]] const Map& map() const { return map_; }
-    /// Where alpha_i leads, by names; i = 0 to 3.
+    /// The name of the dart that alpha_i assigns to a named dart; i = 0 to 3.
     [[nodiscard]] std::int64_t alpha(int i, std::int64_t dart) const;
     [[nodiscard]] std::int64_t free_face_count() const;
     [[nodiscard]] std::int64_t vertex_count() const;
@@ -61,7 +61,7 @@ private:
     [[nodiscard]] std::int64_t vertex(std::int64_t entity, int corner) const;
     [[nodiscard]] bool shares_unions(std::int64_t lower, std::int64_t upper, int axis) const;
     [[nodiscard]] Dart dart(std::int64_t name) const { return darts_[static_cast<std::size_t>(name)]; }
-    /// A dart of an entity's face at the upper end of an axis.
+    /// A dart of the face at an entity's upper end along an axis.
     [[nodiscard]] Dart upper_dart(std::int64_t entity, int axis) const;
 
     std::array<std::int64_t, 3> cells_;

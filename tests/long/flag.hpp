@@ -5,14 +5,14 @@
 
 namespace cracksim::test {
 
-/// A dart of one cube, said by geometry alone: the flag (corner, edge, face) that it stands for. A cube has
-/// 8 corners x 3 edges x 2 faces = 48 of them.
+/// The geometric meaning of a cube's dart: a flag (corner, edge, face). A cube has 8 corners x 3 edges x 2 faces = 48
+/// flags.
 struct Flag {
     static constexpr int count = 48;
 
-    int corner;  ///< bit i is set on the upper side along axis i
+    int corner;  ///< bit i is set if the corner is on the upper side along axis i
     int edge;    ///< the axis along which the edge runs
-    int face;    ///< the axis that is normal to the face; another one than edge
+    int face;    ///< the axis that is normal to the face; differs from edge
 
     [[nodiscard]] constexpr bool is_upper_face() const { return (corner >> face & 1) != 0; }
     [[nodiscard]] constexpr int third_axis() const { return 3 - edge - face; }
@@ -28,7 +28,7 @@ struct Flag {
     return {number / 6, number % 2 == 0 ? low : high, face};
 }
 
-/// The flag that differs in the corner (i = 0), the edge (1) or the face (2) only.
+/// The flag that differs in only the corner (i = 0), the edge (1) or the face (2).
 [[nodiscard]] constexpr Flag alpha(int i, Flag f) {
     switch (i) {
         case 0: return {f.corner ^ 1 << f.edge, f.edge, f.face};
@@ -37,13 +37,13 @@ struct Flag {
     }
 }
 
-/// Where VTK counts a corner.
+/// The VTK number of a corner.
 [[nodiscard]] constexpr int vtk_corner(int corner) {
     constexpr std::array<int, 8> place{0, 1, 3, 2, 4, 5, 7, 6};
     return place[static_cast<std::size_t>(corner)];
 }
 
-/// A dart of a block: 48 * entity + number of the flag.
+/// The name of a dart of a block: 48 * entity + number of its flag.
 [[nodiscard]] constexpr std::int64_t dart_name(std::int64_t entity, Flag f) {
     return entity * Flag::count + f.number();
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What is forecast of inputs/block.yaml against what the run takes, on 1, 2 and 4 ranks: as it is, with nothing that breaks, and
-# with all of it broken at once (for a shorter time: its frames are large); and of larger blocks that do not break.
+# Compares the forecast for inputs/block.yaml with the run's needs on 1, 2 and 4 ranks: unchanged, with no breaking, and
+# with everything broken at once (for a shorter time: its frames are large); also for larger blocks that do not break.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source=jobs/environment.sh
@@ -31,7 +31,7 @@ for quantity, measured in (("memory", summary["memory"]["per_rank_max"]), ("outp
         print(f"{name:34} {quantity:9} {low / 1e6:9.1f} to {high / 1e6:8.1f} MB {measured / 1e6:9.1f} MB  {'between' if holds else 'OUTSIDE'}")
     else:
         said = forecast[f"{quantity}_{end}"]
-        # What the allocator can use again of a coat's memory is not known beforehand.
+        # How much of a coat's memory the allocator can reuse is not known beforehand.
         holds = abs(said - measured) <= (0.2 if quantity == "memory" and end == "broken" else 0.15) * measured
         print(f"{name:34} {quantity:9} {said / 1e6:21.1f} MB {measured / 1e6:9.1f} MB  {100 * (said / measured - 1):+6.1f} %{'' if holds else '  TOO FAR'}")
     good = good and holds

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Random bytes for what reads scenes and expressions (tests/fuzz), CRACKSIM_FUZZ_RUNS runs each, with clang's sanitizers.
-# What a campaign finds is written to build/fuzz/findings, and the corpus that it grew to build/fuzz/grown; both stay.
+# Feeds random bytes to the readers of scenes and expressions (tests/fuzz), CRACKSIM_FUZZ_RUNS runs each, with clang's
+# sanitizers. Findings are written to build/fuzz/findings, the grown corpus to build/fuzz/grown; both are kept.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 runs=${CRACKSIM_FUZZ_RUNS:-10000000}

@@ -15,7 +15,7 @@ using topology::Dart;
 
 namespace {
 
-/// Bit i is set on the upper side along axis i.
+/// Bit i is set if the corner is on the upper side along axis i.
 int corner_bits(int corner) {
     const auto& o = Hexahedron::offset[static_cast<std::size_t>(corner)];
     return o[0] + 2 * o[1] + 4 * o[2];
@@ -52,7 +52,7 @@ std::vector<Links> gather_darts(const Simulation& s) {
     return s.comm().gather<Links>(here);
 }
 
-/// A split is told by the owner of its smallest mass.
+/// The owner of a union's smallest mass reports its split.
 std::vector<PartedMass> gather_splits(const Simulation& s, const physics::SplitStream& splits) {
     const physics::Network& network = s.dynamics().network();
     std::vector<PartedMass> here;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The hashes of the large scenes on 1, 2, 3, 4 and 7 ranks, METIS and slab, with and without --audit, in both builds, in both
-# precisions, with the widest vectors of this machine, with AVX2 and without.
+# Compares the hashes of the large scenes on 1, 2, 3, 4 and 7 ranks, METIS and slab, with and without --audit, in both
+# builds, in both precisions, with the widest vectors of this machine, with AVX2, and without vectors.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source=jobs/environment.sh
@@ -16,7 +16,7 @@ failed=0
 jobs/build.sh release cracksim >/dev/null
 jobs/build.sh sanitize cracksim >/dev/null
 
-# compare SCENE BINARY RANKS OPTIONS...; runs with the same LABEL must agree
+# compare SCENE BINARY RANKS OPTIONS...: runs with the same LABEL must agree
 compare() {
     local scene=$1 binary=$2 ranks=$3 found outcome=equal
     shift 3

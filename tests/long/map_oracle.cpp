@@ -1,5 +1,5 @@
-// cracksim's map against CGAL's generalized map, dart by dart, after every coat of cracking blocks, on any number of
-// ranks. What is unsewn in CGAL's map follows from the splits alone.
+// Compares cracksim's map with CGAL's generalized map, dart by dart, after every coat of cracking blocks, on any number
+// of ranks. The faces that are unsewn in CGAL's map follow from the splits alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -77,7 +77,7 @@ public:
         }
     }
 
-    /// On the root.
+    /// Valid on the root only.
     [[nodiscard]] std::string counts() const {
         std::ostringstream text;
         text << compared_ << " coats compared, " << changed_ << " of them after new splits; "
@@ -122,12 +122,12 @@ private:
     int coats_{0};
     int compared_{0};
     int changed_{0};
-    std::size_t splits_since_{0};           ///< masses of splits that no comparison has seen yet
+    std::size_t splits_since_{0};           ///< masses of splits since the last comparison
     std::optional<test::CgalBlock> block_;  ///< on the root only
     std::size_t start_darts_{0};
 };
 
-/// Runs a scene under the oracle; returns the number of splits.
+/// Runs a scene and compares its map with the oracle's; returns the number of splits.
 std::int64_t run(const scene::Scene& scene, int every, const std::string& what) {
     dynamics::Stopwatch stopwatch;
     Simulation simulation{world(), scene, stopwatch};

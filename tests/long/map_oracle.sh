@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# cracksim's map against CGAL's generalized map, dart by dart, on 1, 2 and 3 ranks. CRACKSIM_SEED=n begins with that seed.
+# Compares cracksim's map with CGAL's generalized map, dart by dart, on 1, 2 and 3 ranks. CRACKSIM_SEED=n sets the first
+# seed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source=jobs/environment.sh

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# What the map, the coat and the frames cost (tests/bench/README.md), beside CGAL's map and a look at the whole block.
+# Measures the map, the coat and the frames (tests/bench/README.md), and for comparison CGAL's map and labels of the
+# whole block.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source=jobs/environment.sh

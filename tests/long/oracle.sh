@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# 2,000 random scenes against the oracle, on one rank and on two, and 200 each with AVX2 (the default, but on machines with AVX-512)
-# and without. CRACKSIM_SEED repeats a campaign.
+# Compares 2,000 random scenes with the oracle, on one rank and on two, and 200 each with AVX2 (the default except on
+# machines with AVX-512) and without vectors. CRACKSIM_SEED repeats a campaign.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source=jobs/environment.sh

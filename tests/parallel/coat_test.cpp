@@ -1,4 +1,5 @@
-// The coat, which follows the changes, against a look at the whole block after every modification, on any number of ranks.
+// Compares the coat, which follows the changes, with labels computed from the whole block after every modification, on
+// any number of ranks.
 #include "surface/coat.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ const partition::Communicator& world() {
     return comm;
 }
 
-/// Which masses share a union, kept by union and not by mass.
+/// The masses of each union, found by the union's smallest mass.
 class Unions {
 public:
     explicit Unions(const physics::Network& network) {
@@ -55,7 +56,7 @@ private:
     std::map<LocalMass, std::vector<LocalMass>> all_;
 };
 
-/// Lowers labels on every rank until no rank changes one.
+/// Lowers labels on every rank until no label changes on any rank.
 LabelArray whole_labels(const Simulation& s, const partition::Halo& halo, auto&& lower) {
     LabelArray labels = s.dynamics().decomposition().entities;
     for (bool changed = true; world().any(changed);) {

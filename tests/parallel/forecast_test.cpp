@@ -1,4 +1,4 @@
-// What is said of a run before it starts, against the problem as it is built, on any number of ranks.
+// Compares the forecast of a run with the problem that is built, on any number of ranks.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -70,7 +70,7 @@ TEST(ModelBytes, AreWhatNetworkStateAndMapHold) {
         const auto held = static_cast<double>(dynamics.network().memory_bytes() + dynamics.state().memory_bytes() +
                                               simulation.coat().memory_bytes());
         const double model = forecast::model_bytes(scene, forecast::count_rank(dynamics, simulation.coat()), 0);
-        // Lists that grew have room for more than they hold, of which the process never touches a page.
+        // The capacity of lists that grew exceeds their size; the process never touches the pages of the difference.
         EXPECT_LT(model, 1.04 * held);
         EXPECT_GT(model, 0.85 * held);
     }

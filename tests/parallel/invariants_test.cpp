@@ -1,4 +1,5 @@
-// After every coat of cracking blocks, on any number of ranks: what must hold of the map, the surface and the parts.
+// Invariants of the map, the surface and the components and fragments after every coat of cracking blocks, on any
+// number of ranks.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -55,7 +56,7 @@ public:
     int coats{0};
 
 private:
-    /// Of owned entities.
+    /// The labels of owned entities.
     static LabelArray labels(const Simulation& s, EntityId (surface::Coat::*label)(LocalEntity) const) {
         LabelArray all(s.dynamics().decomposition().entities.size());
         for (LocalEntity e{0}; e.index() < all.size(); ++e) {
@@ -111,7 +112,7 @@ private:
         EXPECT_EQ(enclosed.size(), filled.size());
     }
 
-    /// The current volume of each label's entities, entity by entity from all six faces.
+    /// The current volume of the entities of each label, computed entity by entity from all six faces.
     static std::vector<geometry::BoundaryMeasure> entity_volumes(const Simulation& s, const LabelArray& labels,
                                                                  const physics::Evolution& evolution) {
         std::map<EntityId, geometry::BoundaryMeasure> sums;
@@ -128,7 +129,7 @@ private:
         return all;
     }
 
-    /// By label, on the root.
+    /// The sums over all ranks by label, on the root.
     static std::map<EntityId, geometry::BoundaryMeasure> over_all_ranks(
         const std::vector<geometry::BoundaryMeasure>& here) {
         std::map<EntityId, geometry::BoundaryMeasure> all;

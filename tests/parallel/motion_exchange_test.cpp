@@ -39,7 +39,7 @@ struct Part {
     physics::State state;
 };
 
-/// Drawn by what all ranks know of a duplet, so that all split the same.
+/// Random duplets that depend only on global mass ids, so that all ranks split the same unions.
 std::vector<physics::LocalDuplet> drawn_duplets(const Part& part, std::uint64_t round) {
     std::vector<physics::LocalDuplet> drawn;
     for (const physics::LocalDuplet d : test::all_duplets(part.network)) {
@@ -53,7 +53,7 @@ std::vector<physics::LocalDuplet> drawn_duplets(const Part& part, std::uint64_t 
     return drawn;
 }
 
-/// Motions that follow from a union's smallest mass, so the same on all ranks.
+/// Motions that depend only on a union's smallest mass, so they are equal on all ranks.
 void move(const physics::Network& network, physics::State& state) {
     state.unions.for_each_advanced([&](physics::LocalUnion s, LocalMass smallest) {
         const auto id = static_cast<double>(network.mass(smallest).value());
@@ -62,7 +62,7 @@ void move(const physics::Network& network, physics::State& state) {
     });
 }
 
-/// By mass, as their owners find them.
+/// The next increments of all masses, as the owners of their entities compute them.
 std::map<MassId, Vec3> next_increments_of_all(const Part& part) {
     struct Told {
         MassId mass;

@@ -119,7 +119,7 @@ TEST(NeighbourMessages, BringWhatEachRankSaysAtAnyLength) {
             others.push_back({r, longest});
         }
     }
-    // From rank a to rank b in a round: none, few, more than go without a handshake.
+    // The message from one rank to another in a round is empty, short, or too long to be sent without a handshake.
     const auto length = [](Rank from, Rank to, int round) {
         return std::array<std::size_t, 3>{0, 7,
                                           longest}[static_cast<std::size_t>(from.value() + 2 * to.value() + round) % 3];
@@ -141,12 +141,12 @@ TEST(NeighbourMessages, BringWhatEachRankSaysAtAnyLength) {
     for (std::size_t i = 0; i < others.size(); ++i) {
         messages.outgoing(i).assign(longest, 1.0);
     }
-    // What has begun ends with the object.
+    // The destructor ends an exchange that has begun.
     messages.begin();
 }
 
 TEST(NeighbourMessages, GoOneWayAndFitTheBoundsOfTheirSources) {
-    // Each rank tells the next one, as far as there is one.
+    // Each rank except the last sends to the next rank.
     const std::int32_t here = world().rank().value();
     using Neighbours = std::vector<NeighbourMessages::Neighbour>;
     const auto bound = [](std::int32_t from) { return static_cast<std::size_t>(10 * (from + 1)); };
@@ -185,7 +185,7 @@ TEST(Halo, CarriesOwnersValuesOfAnySize) {
     }
 }
 
-/// A sound view of every mass, as the audit reads it.
+/// A correct view of a mass, as the audit reads it.
 MassView sound(const Block& block, const Decomposition& d, LocalMass m) {
     const std::int64_t vertex = block.vertex(d.entities[entity_of(m)], corner_of(m)).value();
     return {vertex, static_cast<std::uint64_t>(3 * vertex)};

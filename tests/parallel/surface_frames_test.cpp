@@ -1,4 +1,5 @@
-// The surface as the root keeps it from what the ranks tell, against the meshes that all ranks make anew, in every coat.
+// Compares the surface that the root keeps from the ranks' updates with the meshes that all ranks assemble anew, in
+// every coat.
 #include "surface/surface_frames.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ const partition::Communicator& world() {
 
 class BothWays : public Observer {
 public:
-    /// Coats: how many there are from frame to frame.
+    /// coats: the number of coats from frame to frame.
     BothWays(const Simulation& s, int coats)
         : coats_{coats},
           reporter_{s.dynamics().decomposition().entities.size()},
@@ -67,7 +68,7 @@ private:
     surface::GatheredSurface whole_;
 };
 
-/// The most crack faces of each of some drawn scenes, added up; on the root.
+/// The sum over some random scenes of each scene's largest number of crack faces; on the root.
 std::int64_t crack_faces(const std::string& partition, int coats_a_frame) {
     std::int64_t all = 0;
     for (std::uint64_t seed = test::is_quick ? 13 : 11; seed <= (test::is_quick ? 14 : 24); ++seed) {
@@ -83,7 +84,7 @@ std::int64_t crack_faces(const std::string& partition, int coats_a_frame) {
     return all;
 }
 
-/// That the scenes are examples of cracks.
+/// The least number of crack faces that the scenes must have, so that the tests compare cracks.
 constexpr std::int64_t enough_faces = test::is_quick ? 100 : 1000;
 
 class FramePartitions : public testing::TestWithParam<const char*> {};

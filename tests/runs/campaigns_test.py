@@ -1,21 +1,21 @@
 #!/usr/bin/env python3
-"""Each script of tests/long stands alone: what it runs, it has built by jobs/build.sh before."""
+"""Each script of tests/long is independent: it builds every program that it runs by jobs/build.sh beforehand."""
 import re
 
 from runner import ROOT, check, main
 
-FOLDERS = {"long": "release"}  # the preset whose folder has another name
+FOLDERS = {"long": "release"}  # presets whose folder has another name
 
 
 def programs_run(text):
-    """Folder of the preset, name, and place in the text of every program that is named with its path."""
+    """Yields the preset's folder, the name, and the position in the text of every program given by its path."""
     for found in re.finditer(r"build/(\w+)/(?:tests/(?:fuzz/)?)?([\w$]+)", text):
         if found[2] not in ("findings", "grown") and not text[found.end():].startswith((".log", "/")):
             yield found[1], found[2].replace("$target", ""), found.start()
 
 
 def programs_built(text):
-    """Folder, the targets named (none: all of them), and place in the text, of every build."""
+    """Yields the preset's folder, the targets (none: all), and the position in the text of every build."""
     for found in re.finditer(r"^jobs/build\.sh (\w+)([ \w]*)", text, re.MULTILINE):
         yield FOLDERS.get(found[1], found[1]), found[2].split(), found.start()
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Exit codes, messages and files of runs that are refused, that become invalid, or that are only asked about."""
+"""Exit codes, messages and files of runs that are refused or become invalid, and of options that run nothing."""
 import math
 import os
 import subprocess
@@ -16,7 +16,7 @@ sensors:
 time: {end: 0.01}
 """
 
-# What is wrong, how the scene is made wrong, what the message must name besides the file.
+# The fault, the setting that causes it, and the words that the message must have besides the file's name.
 WRONG_SCENES = [
     ("an unknown key", ("  threshold: 0.02", "  treshold: 0.02"), [":5:3", "treshold", "threshold"]),
     ("an unknown section", ("time:", "tiem:"), [":6:1", "tiem", "time"]),
@@ -50,7 +50,7 @@ def message_lines(done, word):
 
 
 def refused(workplace, what, names, *arguments, ranks=2):
-    """A run on two ranks that must return 2, name things in a message of one rank only, and write nothing."""
+    """Checks that a run returns 2, writes nothing, and prints one message, from one rank, with the given names."""
     before = contents(workplace)
     done = workplace.run(*arguments, ranks=ranks)
     said = f"{what}: {' '.join(done.args)} said\n{done.stdout}{done.stderr}"
@@ -120,7 +120,7 @@ def two_runs_do_not_share_a_directory(workplace, quick):
 
 def block_beyond_the_memory_is_refused(workplace, quick):
     if quick:
-        return  # the sanitizers need all addresses
+        return  # the sanitizers need the whole address space
     scene = workplace.write(SCENE.replace("[4, 4, 2]", "[400, 300, 100]"))
     for ranks in (1, 2):
         done = workplace.run("--as=2000000000", workplace.binary, scene, ranks=ranks, binary="prlimit")

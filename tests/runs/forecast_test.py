@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What is said before the first step, by --dry-run and by the run itself, against what the run then takes."""
+"""Compares the forecast of --dry-run, and of the run before its first step, with the run's actual needs."""
 import re
 import time
 
@@ -8,11 +8,11 @@ from runner import ROOT, check, main, summary
 BLOCK = (ROOT / "inputs" / "block.yaml").read_text(encoding="utf-8")
 SMALL = ["--set", "block.cells=[20, 20, 5]", "--set", "time.end=0.1"]
 INTACT = ["--set", "sensors.threshold=.inf"]
-# Stretched along every axis from the first step on, so that every duplet lets go.
+# The block is stretched along every axis from the first step on, so that every duplet triggers.
 BROKEN = ["--set", "sensors={threshold: 1.0e-9}", "--set", "initial.velocity=[x, y, z]"]
 
 
-EMPTY_FRAME = 65536  # bytes claimed for a frame's headers
+EMPTY_FRAME = 65536  # bytes reserved for a frame's headers
 
 
 def output_bytes(directory):
@@ -24,9 +24,9 @@ def check_near(what, forecast, measured):
 
 
 def check_run(workplace, quick, end, *arguments, ranks):
-    """Runs block.yaml with changes; all that was forecast for an end of the range must hold within 15 %.
+    """Runs block.yaml with changes; every forecast for one end of the range must hold within 15 %.
 
-    Not the memory of a quick run: sanitizers take much of their own.
+    A quick run does not check memory: sanitizers need much memory themselves.
     """
     directory = workplace.finished(BLOCK, *arguments, ranks=ranks)
     found = summary(directory)
@@ -51,7 +51,7 @@ def holds_if_nothing_breaks(workplace, quick):
 
 
 def memory_of_the_smallest_blocks_lies_in_its_range(workplace, quick):
-    """There all is libraries; what they take differs from machine to machine, which the range must hold."""
+    """The memory of the smallest blocks is that of libraries, which depends on the machine; the range must cover it."""
     for ranks in () if quick else (1, 2, 4):
         for cells in ("[1, 1, 1]", "[4, 4, 2]", "[8, 7, 4]"):
             for end in (INTACT, BROKEN):
@@ -63,7 +63,7 @@ def memory_of_the_smallest_blocks_lies_in_its_range(workplace, quick):
 
 
 def memory_grows_with_the_block_as_was_said(workplace, quick):
-    """Half of a small run's memory is libraries: what the block itself takes must be right too."""
+    """Half of a small run's memory is that of libraries, so the memory of the block itself is checked separately."""
     for ranks in () if quick else (1, 2):
         whole, grain = (check_run(workplace, quick, "intact", "--set", "time.end=0.05", *INTACT, *cells, ranks=ranks)
                         for cells in ([], ["--set", f"block.cells=[{ranks}, 1, 1]"]))
@@ -90,9 +90,9 @@ def cracking_run_lies_between(workplace, quick):
 
 
 def interfaces_that_open_add_what_was_said(workplace, quick):
-    """Frames of a crack that runs on grow by the bytes that were forecast for each opened interface."""
+    """Frames of a growing crack grow by the forecast number of bytes for each interior face that opened."""
     del quick
-    # Two halves fly apart where x = 0.1 m; elsewhere nothing breaks.
+    # Two halves separate where x = 0.1 m; elsewhere nothing breaks.
     weak = ["--set", "sensors={threshold: 'abs(x - 0.1) < 1e-6 ? 0.01 : 1e9'}",
             "--set", "initial.velocity=['x > 0.1 ? 1 : -1', 0, 0]", "--set", "time.end=0.004"]
     directory = workplace.finished(BLOCK, *SMALL, *weak, ranks=1)

@@ -18,7 +18,7 @@ def hashes(directory):
 
 
 def reference(workplace, scene, least_splits, what):
-    """Hashes on one rank, of a run in which enough happens that they could differ."""
+    """Hashes of a run on one rank; the run must have enough splits for the hashes to be able to differ."""
     directory = workplace.finished(scene)
     splits = summary(directory)["events"]["splits"]
     check(splits >= least_splits, f"{what}: only {splits} splits; {least_splits} are needed for a test that can fail")
@@ -42,7 +42,7 @@ def any_ranks_and_partition(workplace, quick):
 
 
 def energies_are_the_same_on_any_ranks(workplace, quick):
-    """Sums over ranks, so to rounding. In such rows a rank may touch all the vertices of an entity that another owns."""
+    """Sums over ranks agree to rounding. In these rows a rank may touch all vertices of an entity of another rank."""
     del quick
 
     def row(cells):
@@ -84,7 +84,7 @@ def prefilter_on_and_off(workplace, quick):
 
 
 def wide_rows(workplace, quick):
-    """Most vectors of neighbours lie inside the block, where the sweep knows what they carry."""
+    """Most vectors of neighbours are inside the block, where the sweep assumes the shared edges of an intact block."""
     for precision in ("double", "single"):
         scene = cracking_scene(
             block={"entity": "hexahedron", "cells": [26, 6, 4], "edge": 0.01, "origin": [0, 0, 0]},
@@ -121,13 +121,13 @@ def single_precision(workplace, quick):
 
 
 def simd_targets(workplace):
-    """The best first, from the message about a wrong one."""
+    """The targets, best first, from the message about an invalid one."""
     said = subprocess.run([workplace.binary, "--simd", "none", "scene.yaml"], check=False, capture_output=True, text=True)
     return said.stderr.strip().rpartition("take one of ")[2].split(", ")
 
 
 def every_simd_target(workplace, quick):
-    """The oldest instructions round otherwise; ranks and partitions still make no difference."""
+    """The oldest instructions round differently; ranks and partitions must still make no difference."""
     if quick:
         print("skipped every_simd_target: slow in this build", flush=True)
         return
@@ -181,7 +181,7 @@ def random_scene(generator):
     rate = generator.uniform(10, 40)
     velocity = [f"{rate}*({axis}-{generator.uniform(0.2, 0.8) * size})+{generator.uniform(-0.3, 0.3)}*sin(90*{other})"
                 for axis, other, size in zip("xyz", "yzx", length)]
-    # In some scenes the whole block comes to be hundreds of edges from where it rests.
+    # In some scenes the whole block moves hundreds of edges away from its rest position.
     velocity[0] += f"+{generator.choice([0, 0, 150])}"
     return cracking_scene(
         block={"entity": "hexahedron", "cells": cells, "edge": 0.01, "origin": [generator.uniform(-0.1, 0.1), 0, 0]},
@@ -196,7 +196,7 @@ def random_scene(generator):
 
 
 def breaking_scene(workplace, generator, what):
-    """The first random scene in which anything splits, and its hashes. About one in ten holds."""
+    """The first random scene in which a union splits, and its hashes. In about one of ten scenes nothing splits."""
     for _ in range(10):
         scene = random_scene(generator)
         directory = workplace.finished(scene)

@@ -1,6 +1,6 @@
-"""Wrong command lines, each with the whole message that it must get. To add one, add a line.
+"""Wrong command lines, each with the complete message that it must cause. To add a case, add a line.
 
-scene.yaml is a scene without fault; PREPARED is what else lies where a command is run, {here} its folder.
+scene.yaml is a valid scene; PREPARED has the other files of the folder in which a command runs, {here} is that folder.
 """
 import os
 import socket
@@ -14,7 +14,7 @@ def make_socket(path):
         unix.bind(str(path))
 
 
-# What is made, beside scene.yaml, in the folder that a command is run in.
+# The files that are made, beside scene.yaml, in the folder in which a command runs.
 PREPARED = {
     "file": lambda path: path.write_text("mine", encoding="utf-8"),
     "folder": lambda path: path.mkdir(),
@@ -26,7 +26,7 @@ PREPARED = {
     "socket": make_socket,
 }
 
-# Refused on one rank; three can hold it.
+# Commands that are refused on one rank but valid on three.
 FOR_ONE_RANK = {"more rows than can be numbered"}
 
 # Name, arguments, message.

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Wrong scenes and command lines: one message, word for word, from one rank; exit code 2; nothing written.
+"""Wrong scenes and command lines: one exact message, from one rank; exit code 2; no files written.
 
 The tables are hostile_scenes.py, hostile_values.py, hostile_texts.py and hostile_commands.py.
-hostile_input_test.py CRACKSIM --show prints what is said now.
+hostile_input_test.py CRACKSIM --show prints the current messages.
 """
 import concurrent.futures
 import os
@@ -22,7 +22,7 @@ LIMIT = 60  # s; a refusal takes a fraction of a second
 
 
 def rows():
-    """Name, files to write, arguments and message of every row."""
+    """Yields the name, the files to write, the arguments and the message of every row."""
     right = {"scene.yaml": SCENE.encode()}
     for row in FORM + MEANING:
         yield row.name, {"scene.yaml": scene_with(row).encode()}, ["scene.yaml"], "scene.yaml" + row.message
@@ -33,10 +33,11 @@ def rows():
 
 
 def run_in(folder, command, ranks=None):
-    """The finished process, and what it said; without ranks, without mpirun."""
+    """The finished process and its output; ranks=None: without mpirun."""
     with tempfile.TemporaryDirectory(prefix="cracksim-mpi-") as sessions:
         os.chmod(sessions, 0o1777)
-        # Alone, a rank needs no daemon, but then all that run at a time would make the same directory for Open MPI.
+        # A single rank needs no daemon; but without its own folder, parallel runs would all create Open MPI's same
+        # folder.
         alone = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_orte_tmpdir_base": sessions}
         start, environment = (["mpirun", "-n", str(ranks)], {}) if ranks else ([], alone)
         done = subprocess.run([*start, *command], cwd=folder, env={**os.environ, **ENVIRONMENT, **environment},
@@ -45,13 +46,13 @@ def run_in(folder, command, ranks=None):
 
 
 def contents(folder):
-    """Every path below a folder with what tells a change: of files their bytes, of others their times."""
+    """Every path below a folder with a value that changes if it changes: the bytes of files, the times of all else."""
     return {path: path.read_bytes() if path.is_file() else path.lstat().st_mtime_ns
             for path in [folder, *sorted(folder.rglob("*"))]}
 
 
 def run_row(binary, row, ranks=None):
-    """The exit code, what was said, the message that was due, and whether the folder was left as it was."""
+    """The exit code, the output, the expected message, and whether the folder was left unchanged."""
     _, files, arguments, message = row
     with tempfile.TemporaryDirectory(prefix="cracksim-") as name:
         folder = pathlib.Path(name)
@@ -65,7 +66,7 @@ def run_row(binary, row, ranks=None):
 
 
 def faults(binary, row, ranks=None):
-    """What is wrong with how a row is refused; nothing if it is as it must be. mpirun adds lines of its own."""
+    """The differences from how a row must be refused; empty if there are none. mpirun adds lines of its own."""
     try:
         code, said, expected, untouched = run_row(binary, row, ranks)
     except subprocess.TimeoutExpired:
@@ -84,7 +85,7 @@ def refuse_all(binary, chosen, ranks=None):
 
 
 def chosen_rows(quick, step):
-    """One row of so many; where sanitizers watch each allocation, none that takes millions."""
+    """Every `step`-th row; with sanitizers, which watch each allocation, no row that allocates millions."""
     large = 100_000  # bytes
     light = [row for row in rows() if not quick or max(map(len, row[1].values())) < large]
     return light[::step]
@@ -100,7 +101,7 @@ def one_rank_of_three_speaks(workplace, quick):
 
 
 def told_once(folder, command, ranks, *words):
-    """Not the input's fault, so the exit code is 1; nothing unfinished is left."""
+    """Checks a failure that is not the input's fault: exit code 1, one message, no unfinished files."""
     done, said = run_in(folder, command, ranks)
     messages = [line for line in said.splitlines() if line.startswith("cracksim: ")]
     check(done.returncode == 1, f"the exit code is {done.returncode}, not 1\n{said}")
@@ -131,7 +132,7 @@ def file_size_limit_is_told_once(workplace, quick):
 
 
 def what_a_user_may_not_touch_is_refused(workplace, quick):
-    """As another user, because root may do everything."""
+    """Runs as another user, because root may access everything."""
     del quick
     nobody = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
     if os.geteuid() != 0 or not shutil.which("setpriv") or subprocess.run(

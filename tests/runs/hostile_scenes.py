@@ -1,4 +1,4 @@
-"""Scenes of a wrong form, each with the whole message that it must get. To add one, add a line."""
+"""Scenes of a wrong form, each with the complete message that it must cause. To add a case, add a line."""
 from typing import NamedTuple
 
 SCENE = """\
@@ -22,9 +22,9 @@ NETWORK = "network: {mass: 1, edge: {stiffness: 4, viscosity: 0.1}, diagonal: {s
 
 class Row(NamedTuple):
     name: str
-    right: str  # stands once in SCENE
-    wrong: str  # stands there instead
-    message: str  # after the name of the file
+    right: str  # occurs once in SCENE
+    wrong: str  # replaces `right`
+    message: str  # follows the name of the file
 
 
 def scene_with(row):
@@ -32,7 +32,7 @@ def scene_with(row):
     return SCENE.replace(row.right, row.wrong)
 
 
-# inputs/scene.schema.json refuses these too.
+# Scenes that inputs/scene.schema.json refuses too.
 FORM = [
     Row("list for the title", "title: a block", "title: [a, block]", ":1:1: title: needs a text, not a list"),
     Row("empty title", "title: a block", "title:", ":1:1: title: needs a text, not an empty value"),

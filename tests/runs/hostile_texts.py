@@ -1,4 +1,4 @@
-"""Files that are no scenes: name, bytes, and the message after the name of the file. To add one, add a line."""
+"""Files that are not scenes: name, bytes, and the message after the name of the file. To add a case, add a line."""
 from hostile_scenes import SCENE
 
 TEXTS = [

@@ -1,4 +1,7 @@
-"""Scenes of the right form that make no sense, each with the whole message that it must get. To add one, add a line."""
+"""Scenes of the right form with wrong values, each with the complete message that it must cause.
+
+To add a case, add a line.
+"""
 from hostile_scenes import Row
 
 ALLOWED = ("; allowed are numbers, x, y, z (m), t (s), pi, e, + - * / ^, < <= > >= == !=, && ||, a ? b : c, "

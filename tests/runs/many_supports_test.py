@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a scene of very many supports takes to read, in memory and time, beside one of few."""
+"""Compares the memory and time to read a scene with very many supports with those of a scene with one."""
 import json
 import os
 import subprocess
@@ -8,7 +8,7 @@ import tempfile
 from runner import ENVIRONMENT, check, main
 
 MANY = 20_000
-MOST_BYTES, MOST_SECONDS = 6000, 2e-4  # two formulas and a number; a parser for each made it 23 kB
+MOST_BYTES, MOST_SECONDS = 6000, 2e-4  # room for two formulas and a number; a parser for each took 23 kB
 
 
 def scene(supports):
@@ -19,7 +19,7 @@ def scene(supports):
 
 
 def cost(workplace, supports):
-    """Peak of memory in bytes, and seconds of a core, of a forecast."""
+    """The peak of memory in bytes and the CPU time in seconds of a forecast."""
     with tempfile.TemporaryDirectory(prefix="cracksim-mpi-") as sessions:
         alone = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_orte_tmpdir_base": sessions}
         with subprocess.Popen([workplace.binary, workplace.write(json.dumps(scene(supports))), "--dry-run"], cwd=workplace.path,
@@ -32,7 +32,7 @@ def cost(workplace, supports):
 
 def many_supports_take_little_each(workplace, quick):
     if quick:
-        return  # sanitizers take memory and time of their own
+        return  # sanitizers need memory and time themselves
     (many_bytes, many_seconds), (few_bytes, few_seconds) = cost(workplace, MANY), cost(workplace, 1)
     check(many_bytes - few_bytes < MANY * MOST_BYTES, f"{(many_bytes - few_bytes) / MANY:.0f} bytes a support")
     check(many_seconds - few_seconds < MANY * MOST_SECONDS, f"{(many_seconds - few_seconds) / MANY:.1e} s a support")

@@ -1,7 +1,7 @@
-"""pvpython read_frames.py DIR: does ParaView see in DIR what DIR/summary.json says?
+"""pvpython read_frames.py DIR: checks that ParaView reads from DIR what DIR/summary.json lists.
 
-Reads every frame of every series through NAME.xdmf with ParaView's three XDMF readers and through NAME.hdf.series with its
-series reader, and compares times, numbers of cells and points, and the fields that each frame carries.
+Reads every frame of every series through NAME.xdmf with ParaView's three XDMF readers and through NAME.hdf.series with
+its series reader, and compares times, numbers of cells and points, and the fields of each frame.
 """
 
 import json
@@ -29,7 +29,7 @@ def times_of(reader):
 
 
 def leaves(data):
-    """The grids of a dataset that may be a tree of blocks."""
+    """The grids of a dataset, which may be a tree of blocks."""
     if not data.IsA("vtkCompositeDataSet"):
         return [data]
     iterator = data.NewIterator()
@@ -68,7 +68,7 @@ def differences(label, reader, frames):
 
 
 def check_series(directory, name, frames):
-    """Differences in one series; a series without a frame must have no files."""
+    """The differences in one series; a series without a frame must have no files."""
     if not frames:
         left = [name + e for e in (".xdmf", ".hdf.series") if os.path.exists(os.path.join(directory, name + e))]
         return [f"{file} stands there, but summary.json lists no frame of it" for file in left]

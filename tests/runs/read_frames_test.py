@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""ParaView reads every frame of a run with all outputs: read_frames.py, in pvpython, compares with summary.json."""
+"""ParaView reads every frame of a run with all outputs; read_frames.py, in pvpython, compares with summary.json."""
 import os
 import pathlib
 import shutil
@@ -26,7 +26,7 @@ def paraview_reads_every_frame(workplace, quick):
 
 
 def paraview_reads_frames_of_any_ranks(workplace, quick):
-    """CRACKSIM_WRITE_FRAMES writes frames whose cells are spread unevenly, also over ranks without any."""
+    """CRACKSIM_WRITE_FRAMES writes frames whose cells are distributed unevenly, also over ranks without any cells."""
     writer = os.environ.get("CRACKSIM_WRITE_FRAMES")
     if not writer:
         print("no CRACKSIM_WRITE_FRAMES to write frames with", flush=True)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""jobs/render.py shows what each view is for, makes movies, and says what is wrong with a request."""
+"""jobs/render.py draws each view as described, makes movies, and reports wrong requests."""
 import pathlib
 import shutil
 import subprocess
@@ -12,12 +12,12 @@ RENDER = pathlib.Path(__file__).resolve().parents[2] / "jobs/render.py"
 SIZE = (320, 240)
 
 
-# What is said where the X server, which is not what is tested, did not start or went away: on a busy machine that happens.
+# Messages of an X server that did not start or that ended, which happens on a busy machine; it is not under test.
 X_SERVER_FAILED = ("bad X server connection", "Xvfb failed to start", "cannot open display", "Could not connect to display")
 
 
 def render(directory, *arguments):
-    """Again if it is the X server that failed."""
+    """Runs render.py; repeats it if the X server failed."""
     for _ in range(5):
         done = subprocess.run(["xvfb-run", "-a", "pvpython", RENDER, directory, *arguments], text=True,
                               capture_output=True, check=False, stdin=subprocess.DEVNULL, timeout=600)
@@ -81,7 +81,7 @@ def is_black(p):
 
 
 def nothing_is_cut_at_the_edge(workplace, quick):
-    """Of a block of few entities, whose spheres are large in the picture."""
+    """Tests a block of few entities, whose spheres are large in the picture."""
     del quick
     directory = workplace.finished(cracking_scene(
         block={"cells": [2, 2, 2], "edge": 0.01}, sensors={"threshold": 9}, time={"end": 0.001},

@@ -1,4 +1,4 @@
-"""What the tests of whole runs share: scenes, runs of cracksim under mpirun, and how to read what they wrote."""
+"""Shared by the tests of whole runs: scenes, runs of cracksim under mpirun, and readers of their files."""
 import array
 import json
 import os
@@ -21,7 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 class Failure(Exception):
-    """A check that did not hold; its text says which, and what was found."""
+    """A check that did not hold; its text names the check and the result."""
 
 
 def check(condition, text):
@@ -30,9 +30,9 @@ def check(condition, text):
 
 
 def cracking_scene(**changes):
-    """A block of 8 x 7 x 4 cubes of 1 cm, kicked so that it breaks within 60 ms. JSON is YAML: no writer of YAML is needed.
+    """A block of 8 x 7 x 4 cubes of 1 cm with an initial velocity that breaks it within 60 ms; JSON is valid YAML.
 
-    Sections given as keyword arguments replace those here.
+    Keyword arguments replace sections of the scene.
     """
     scene = {
         "block": {"entity": "hexahedron", "cells": [8, 7, 4], "edge": 0.01, "origin": [0, 0, 0]},
@@ -70,7 +70,7 @@ class Workplace:
                               stdin=subprocess.DEVNULL, capture_output=True, timeout=600)
 
     def finished(self, scene, *arguments, ranks=1, binary=None):
-        """Runs a scene that must finish; its directory."""
+        """Runs a scene, which must finish; returns its directory."""
         self._runs += 1
         directory = self.path / f"run-{self._runs}"
         done = self.run(self.write(scene), "--out", directory, "--quiet", *arguments, ranks=ranks, binary=binary)
@@ -85,7 +85,7 @@ def summary(directory):
 
 
 def dataset(file, path):
-    """A dataset of an HDF5 file as a flat list of numbers, bit for bit, by h5dump."""
+    """A dataset of an HDF5 file as a flat list of numbers, bit for bit, read by h5dump."""
     header = subprocess.run(["h5dump", "-H", "-d", path, str(file)], text=True, capture_output=True, check=True).stdout
     kind = re.search(r"DATATYPE\s+H5T_(?:IEEE|STD)_([FIU])(\d+)", header)
     check(kind, f"{file}: {path} holds no plain numbers:\n{header}")
@@ -97,7 +97,7 @@ def dataset(file, path):
 
 
 def frame_cells(file):
-    """The cells of a frame as a sorted list of (cell data ..., corner positions ...), whatever the order in the file."""
+    """The cells of a frame, (cell data ..., corner positions ...), sorted, so that the order in the file is irrelevant."""
     points = dataset(file, "/VTKHDF/Points")
     connectivity = dataset(file, "/VTKHDF/Connectivity")
     fields = [dataset(file, f"/VTKHDF/CellData/{name}") for name in ("entity", "fragment", "opened_at", "opening")]
@@ -110,14 +110,14 @@ def frame_cells(file):
 
 
 def last_frame(directory, kind):
-    """The newest frame file of a kind: surface or crack."""
+    """The last frame file of a kind: surface or crack."""
     frames = sorted((pathlib.Path(directory) / "frames").glob(f"{kind}-*.hdf"))
     check(frames, f"{directory} has no {kind} frame")
     return frames[-1]
 
 
 def main(tests):
-    """Runs the functions tests(workplace, quick), each after the other; the exit code says whether all held."""
+    """Runs the functions tests(workplace, quick), one after the other; exits with success if all checks held."""
     arguments = [argument for argument in sys.argv[1:] if argument != "--quick"]
     if len(arguments) != 1:
         sys.exit(f"usage: {sys.argv[0]} CRACKSIM [--quick]")

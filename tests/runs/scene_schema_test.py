@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""inputs/scene.schema.json says the same as the reader of scenes, inputs/README.md and the scenes of the project."""
+"""inputs/scene.schema.json agrees with the reader of scenes, inputs/README.md and the scenes of the project."""
 import copy
 import json
 import os
@@ -34,26 +34,26 @@ BY_MATERIAL = {
     "sensors": {"threshold": 1},
     "time": {"end": 1},
 }
-# What every key is tried with, besides its own default, examples and bounds, and every word of the schema.
+# The values with which every key is tested, besides its default, examples and bounds, and every word of the schema.
 VALUES = [None, True, False, -1, 0, 1, 2, 0.25, 1.5, -0.5, 2147483648, "", "no such word", "x", "sin(t)", [], {}, [1],
           [1, 1], [1, 1, 1], [0, 0, 0], [-1, 1, 1], [1.5, 1, 1], ["x", 0, 0], ["sin(t)", 0, 0], [None, 0, 0],
           [None, None, None], [1, 1, 1, 1], [True, 1, 1], [[1], 1, 1], [{}, 1, 1], [[0, 0, 0], [1, 1, 1]],
           [[0, 0], [1, 1, 1]], [[0, 0, 0], [1, 1, 1], [2, 2, 2]], [SUPPORT], [SUPPORT, SUPPORT], [{}], {"no_such_key": 1},
           "tetrahedron",
           "tree", "wide", "full", "rk4", "implicit", "static"]
-# Values whose spelling matters, as they stand in a file; every key is tried with them too.
+# Values whose spelling matters, written as in a file; every key is tested with them too.
 TEXTS = ['"50"', "'1'", '"0.25"', '"1e3"', '"-1"', '"true"', '"null"', '""', ".inf", "-.inf", ".Inf", "-.INF", '".inf"', ".nan",
          "inf", "1e400", "-1e400", '"1e400"', "1e3", "4.0", "+1", "True", "FALSE", "yes", "Null", "~", "0x10", '"a\\tb"',
          '"a\\x9bb"']
-# Of values that have the right form, only the reader can know that they make no sense, and says so. Quoted text may be an
-# expression; .nan is a number that no bound excludes.
+# Errors of values that have the right form, which only the reader can detect. Quoted text may be an expression; .nan is
+# a number that no bound excludes.
 ONLY_THE_READER = ("is not a number or an expression", "may depend on x, y, z, but not on t", "must be finite",
                    "too large to be held", "infinity is written .inf", "lies so far from 0",
                    "outside of 1e-60 to 1e60", "the lower corner is above the upper one", "more than can be counted", "a threshold is a stretch above 0 (.inf: never), not '-1'", "not '.nan'", "not '0x10'")
 
 
 class Core(yaml.SafeLoader):
-    """YAML 1.2's core schema, which cracksim and editors follow; PyYAML's own is that of YAML 1.1."""
+    """YAML 1.2's core schema, which cracksim and editors follow; PyYAML's default is YAML 1.1."""
 
 
 Core.yaml_implicit_resolvers = {}
@@ -69,7 +69,7 @@ def parsed(text):
 
 
 def properties(schema, path=()):
-    """Each property's path and schema; * is any item of a list."""
+    """Yields each property's path and schema; * stands for any item of a list."""
     for name, inner in schema.get("properties", {}).items():
         yield (*path, name), inner
         yield from properties(inner, (*path, name))
@@ -77,7 +77,7 @@ def properties(schema, path=()):
 
 
 def own_values(schema):
-    """Values near a property's own limits, and those that it names."""
+    """Yields values near a property's own limits, and the values that it names."""
     yield from schema.get("enum", [])
     yield from schema.get("examples", [])
     for key in ("const", "default"):
@@ -93,7 +93,7 @@ def own_values(schema):
 
 
 def scene_of(path, value):
-    """A scene that is right but for this value."""
+    """A scene that is valid except for this value."""
     scene = copy.deepcopy(BY_MATERIAL if path[0] == "material" else BY_NETWORK)
     place = scene
     for key in path[:-1]:
@@ -105,7 +105,7 @@ def scene_of(path, value):
 
 
 def answers(texts):
-    """What the reader says of each scene: nothing if it takes it."""
+    """The reader's error message for each scene; empty if the scene is valid."""
     done = subprocess.run([os.environ["CRACKSIM_READ_SCENES"]], input="".join(text + "\0" for text in texts), text=True,
                           capture_output=True, check=True)
     return done.stdout.split("\n")[:-1]
@@ -116,7 +116,7 @@ def yaml_text(scene):
 
 
 def check_agreement(cases):
-    """Cases are a path, what is said of it, the text of a scene and whether the schema takes that; how often it does."""
+    """Cases are (path, description of the value, text of the scene, whether the schema accepts it)."""
     verdicts = {True: 0, False: 0}
     for (path, value, _, valid), answer in zip(cases, answers(text for _, _, text, _ in cases), strict=True):
         verdicts[valid] += 1

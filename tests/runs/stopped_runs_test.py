@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs that something from outside ends, or hinders: a full disk, a signal, a terminal that takes nothing."""
+"""Runs that an outside event ends or disturbs: a full disk, a signal, a terminal that cannot be written."""
 import contextlib
 import os
 import re
@@ -10,14 +10,14 @@ import time
 
 from runner import ENVIRONMENT, check, cracking_scene, main, summary
 
-LARGE = cracking_scene(output={"rate": 400, "masses": True})  # 6 MB and more
-FREQUENT = cracking_scene(output={"rate": 2000, "surface": True, "crack": True})  # 8 MB, all written beside the run
+LARGE = cracking_scene(output={"rate": 400, "masses": True})  # 6 MB or more
+FREQUENT = cracking_scene(output={"rate": 2000, "surface": True, "crack": True})  # 8 MB, all written by the worker thread
 LONG = cracking_scene(time={"end": 1000})
 
 
 @contextlib.contextmanager
 def small_disk(workplace, size):
-    """A folder on a disk of so many bytes; none where disks cannot be mounted."""
+    """A folder on a disk of `size` bytes; None where disks cannot be mounted."""
     disk = workplace.path / "disk"
     disk.mkdir()
     mount = ["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", disk]
@@ -60,7 +60,7 @@ def full_disk_leaves_a_summary_that_says_so(workplace, quick):
 
 
 def frame_that_cannot_be_written_ends_the_run(workplace, quick):
-    """Soon, if more frames were to follow; also if it is the last one. A folder stands where the second frame should."""
+    """A frame that cannot be written ends the run soon, even the last one. A folder has the second frame's name."""
     for rate, ranks in ((2000, 2), (0, 1)) if quick else ((2000, 1), (2000, 3), (0, 1), (0, 3)):
         scene = cracking_scene(output={"rate": rate, "surface": True, "crack": True})
         directory = workplace.finished(scene, ranks=ranks)
@@ -100,7 +100,7 @@ def process_of_a_rank(mpirun):
 
 
 def stop(workplace, ranks, choose):
-    """The finished mpirun of a long run, after a SIGTERM to the process that is chosen."""
+    """Starts a long run, sends SIGTERM to the process that choose(mpirun) returns, and waits until mpirun has ended."""
     directory = workplace.path / f"stopped-{ranks}"
     command = ["mpirun", "-n", str(ranks), workplace.binary, workplace.write(LONG), "--out", directory]
     with subprocess.Popen(command, env={**os.environ, **ENVIRONMENT}, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -128,7 +128,7 @@ def sigterm_stops_all_ranks_with_a_summary(workplace, quick):
 
 
 def told_to(terminal, workplace, *arguments):
-    """The exit code and standard error of cracksim without mpirun, which would stand before the terminal."""
+    """The exit code and standard error of cracksim without mpirun, which would handle the terminal itself."""
     with open(terminal, "w", encoding="utf-8") as out:
         done = subprocess.run([workplace.binary, *map(str, arguments)], cwd=workplace.path, env={**os.environ, **ENVIRONMENT},
                               check=False, stdout=out, stderr=subprocess.PIPE, text=True, timeout=600)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""inputs/two_cubes.yaml parts at the step of its closed form, on one rank and on two."""
+"""inputs/two_cubes.yaml splits at the step of its closed form, on one rank and on two."""
 import math
 
 from runner import ROOT, check, dataset, main, summary
@@ -8,7 +8,7 @@ EDGE, YOUNG, DENSITY, DAMPING, STEP, THRESHOLD = 0.01, 2.0e4, 1000, 0.2, 1.0e-4,
 
 
 def closed_form_step(threshold, step=STEP):
-    """First step n with 2 q(n) / (2 edge) above the threshold; the derivation stands in the scene."""
+    """The first step n with 2 q(n) / (2 edge) above the threshold; the scene has the derivation."""
     mass = DENSITY * EDGE ** 3 / 8
     edge, diagonal = 0.2 * EDGE * YOUNG, 0.3 * EDGE * YOUNG
     viscosity = DAMPING * EDGE / math.sqrt(YOUNG / DENSITY)

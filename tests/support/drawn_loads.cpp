@@ -30,19 +30,19 @@ std::array<oracle::Field, 3> meaning(const Components& components) {
     return fields;
 }
 
-/// Zero at a place inside the block, and 1 half the block's length away.
+/// A linear function along an axis: 0 at a place inside the block, 1 at half the block's length beyond it.
 Formula from_inside(SceneDraft& draft, std::size_t axis) {
     const double inside = draft.number(0.2, 0.8) * static_cast<double>(draft.scene.cells[axis]);
     return (coordinate(axis) + constant(-draft.place(axis, inside))) * constant(2 / draft.length(axis));
 }
 
-/// Waves through the block, of amplitude 1 along an axis.
+/// Waves along an axis through the block, of amplitude 1.
 Formula waves(SceneDraft& draft, std::size_t axis) {
     const Formula distance = from_inside(draft, axis);
     return sin(distance * constant(draft.number(0.5, 4)));
 }
 
-/// The speed that makes strains of that many thresholds, m/s.
+/// The speed (m/s) that causes strains of `thresholds` times the typical threshold.
 double speed_for(const SceneDraft& draft, double thresholds) {
     return thresholds * draft.typical_threshold * draft.speed();
 }
@@ -54,7 +54,7 @@ void draw_velocity(SceneDraft& draft, bool supported) {
         v[i] = draft.chance(0.9) ? constant(speed_for(draft, draft.signed_number(0.5, 4))) * shape : constant(0);
     }
     if (!supported && draft.option(0.3, "drift", "no drift")) {
-        // The whole block comes to be more than a hundred edges from where it rests.
+        // The whole block drifts more than a hundred edges away from its rest position.
         const std::size_t axis = draft.whole(0, 2);
         v[axis] = *v[axis] + constant(draft.signed_number(1.5, 3) * draft.speed());
     }
@@ -74,7 +74,7 @@ void draw_displacement(SceneDraft& draft) {
     draft.text << "  displacement: " << quoted_list(u) << '\n';
 }
 
-/// A support's velocity that strains a length (m) by a few thresholds in the end.
+/// The velocity of a support that strains `length` (m) by a few thresholds until the end.
 Formula draw_pull(SceneDraft& draft, double length) {
     if (draft.option(0.25, "support at rest", "moving support")) {
         return constant(0);
@@ -133,7 +133,7 @@ void add_side(SceneDraft& draft, std::size_t axis, bool upper, const Components&
     add_support(draft, side, velocity);
 }
 
-/// Holds the components of all masses that another support leaves free.
+/// Holds all masses in the components that the first support leaves free.
 void add_rails(SceneDraft& draft, const Components& taken) {
     const double length = std::min({draft.length(0), draft.length(1), draft.length(2)});
     Components rails;

@@ -10,7 +10,7 @@ std::string list(const oracle::Vector& v) {
     return "[" + number_text(v[0]) + ", " + number_text(v[1]) + ", " + number_text(v[2]) + "]";
 }
 
-/// The threshold that the energy of a material makes: sqrt(G_c / (3.62 E a)).
+/// The threshold that follows from a material's fracture energy: sqrt(G_c / (3.62 E a)).
 void draw_fracture_energy(SceneDraft& draft, double young) {
     const double stiffness = 3.62 * young * draft.scene.edge[0];
     const double energy = rounded(draft.typical_threshold * draft.typical_threshold * stiffness);
@@ -59,7 +59,7 @@ Formula draw_zones(SceneDraft& draft, std::size_t axis) {
                  constant(2 * draft.typical_threshold));
 }
 
-/// A valley or waves across an axis.
+/// A threshold that varies along an axis as a valley or as waves.
 Formula draw_smooth_threshold(SceneDraft& draft, std::size_t axis) {
     const double middle = draft.number(0, static_cast<double>(draft.scene.cells[axis]));
     const Formula distance = (coordinate(axis) + constant(-draft.place(axis, middle))) *

@@ -9,7 +9,7 @@ namespace cracksim::test {
 
 namespace {
 
-/// The largest stable step, s: the root of dt^2 (6 k1 + 2 k3) + c dt (6 z1 + 2 z3) = 4 m, c = 2 (cordis) or 4 (ab2).
+/// The largest stable step dt (s), which solves dt^2 (6 k1 + 2 k3) + c dt (6 z1 + 2 z3) = 4 m, c = 2 (cordis), 4 (ab2).
 double step_bound(const oracle::Scene& scene) {
     const double c = scene.scheme == oracle::Scheme::cordis ? 2 : 4;
     const double k = 6 * scene.edges.stiffness + 2 * scene.diagonals.stiffness;

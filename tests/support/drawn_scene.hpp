@@ -9,7 +9,7 @@
 
 namespace cracksim::test {
 
-/// A random scene that most likely cracks: the text that a user would write, what it means, and the options that were drawn.
+/// A random scene that most likely cracks: the text that a user would write, its meaning, and the drawn options.
 struct DrawnScene {
     std::string text;
     oracle::Scene scene;
@@ -19,7 +19,7 @@ struct DrawnScene {
 /// The same scene for the same seed: at most 500 entities, strains of a few times the threshold, at most 300 steps.
 [[nodiscard]] DrawnScene draw_scene(std::uint64_t seed);
 
-/// All that may be drawn.
+/// All options that may be drawn.
 [[nodiscard]] const std::vector<std::string>& drawable_options();
 
 }  // namespace cracksim::test

@@ -10,20 +10,20 @@
 
 namespace cracksim::test {
 
-/// A number or expression of a scene: the text that a user would write, and what it means.
+/// A number or expression of a scene: the text that a user would write, and its meaning.
 struct Formula {
     std::string text;
     oracle::Field value;
 };
 
-/// A number in the fewest of up to four digits.
+/// The shortest text of a number that has at most four digits.
 inline std::string number_text(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.4g", value);
     return text;
 }
 
-/// The number that its text says.
+/// The value of number_text(value).
 inline double rounded(double value) { return std::strtod(number_text(value).c_str(), nullptr); }
 
 inline Formula constant(double value) {
@@ -56,7 +56,7 @@ inline Formula exp(const Formula& a) {
     return {"exp(" + a.text + ")", [a = a.value](const oracle::Vector& at, double t) { return std::exp(a(at, t)); }};
 }
 
-/// One of two, as a is below b or not.
+/// The formula `a < b ? yes : no`.
 inline Formula below(const Formula& a, const Formula& b, const Formula& yes, const Formula& no) {
     return {a.text + " < " + b.text + " ? " + yes.text + " : " + no.text,
             [a = a.value, b = b.value, yes = yes.value, no = no.value](const oracle::Vector& at, double t) {

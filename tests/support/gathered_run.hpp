@@ -16,7 +16,7 @@ struct MassMotion {
     Vec3 increment;     ///< w, m
 };
 
-/// What a scene's run did. Events and motions are whole on the root and empty elsewhere.
+/// The result of a scene's run. Events and motions are complete on the root and empty elsewhere.
 struct GatheredRun {
     double step_size;  ///< s
     std::int64_t steps;
@@ -25,7 +25,7 @@ struct GatheredRun {
     std::vector<MassMotion> masses;            ///< at the end, ascending
 };
 
-/// Reads the text of a scene and runs it to its end. Collective; throws what reader and run throw.
+/// Reads the text of a scene and runs it to its end. Collective; throws the exceptions of the reader and of the run.
 [[nodiscard]] GatheredRun run_gathered(const partition::Communicator& comm, const std::string& scene_text);
 
 }  // namespace cracksim::test

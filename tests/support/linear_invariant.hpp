@@ -6,7 +6,8 @@
 namespace cracksim::test {
 
 /// The invariant of the cordis scheme in the linear network, J, summed entity by entity:
-/// E = 1/2 w'(M - dt^2/4 K - dt/2 Z)w/dt^2 + 1/2 x'Kx, x the mean of the last two positions, K and Z with the directions at rest.
+/// E = 1/2 w'(M - dt^2/4 K - dt/2 Z)w/dt^2 + 1/2 x'Kx, where x is the mean of the last two positions; K and Z have the
+/// directions at rest.
 inline double linear_invariant(const physics::Network& network, const physics::State& state) {
     const double dt = state.step_size;
     double sum = 0;

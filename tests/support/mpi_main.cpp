@@ -1,5 +1,5 @@
-// The main of tests that run on one rank or more: only the root reports what passes, every rank what fails, and all ranks
-// return failure if one of them failed.
+// The main function of tests that run on one rank or more. The root reports all results, every other rank only
+// failures; all ranks return failure if one of them failed.
 #include <gtest/gtest.h>
 #include <mpi.h>
 
@@ -10,8 +10,8 @@
 
 namespace {
 
-/// Failures of the ranks that have no printer of their own. An exception that left a test on one rank has taken that rank out of
-/// step with the others, who may wait for it for ever: then all are stopped.
+/// Prints the failures of ranks other than the root. A rank that left a test by an exception no longer matches the
+/// collective calls of the other ranks, which may wait for it for ever; so it stops all ranks.
 class FailuresOnly : public testing::EmptyTestEventListener {
 public:
     explicit FailuresOnly(int rank, int ranks) : rank_{rank}, ranks_{ranks} {}

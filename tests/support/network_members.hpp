@@ -9,7 +9,7 @@
 
 namespace cracksim::test {
 
-/// Four for each interior face, ascending, whether they tie masses or not.
+/// All duplet ids, ascending: four for each interior face, whether or not the network has these duplets.
 [[nodiscard]] inline std::vector<physics::LocalDuplet> all_duplets(const physics::Network& network) {
     std::vector<physics::LocalDuplet> all;
     const auto interior_faces = static_cast<std::int32_t>(network.interior_faces().size());
@@ -19,7 +19,7 @@ namespace cracksim::test {
     return all;
 }
 
-/// One in so many of the active duplets, ascending.
+/// A random selection of the active duplets, on average one in `one_in`, ascending.
 [[nodiscard]] inline std::vector<physics::LocalDuplet> drawn_duplets(const physics::Network& network,
                                                                      const physics::State& state, std::uint64_t one_in,
                                                                      std::uint64_t seed) {

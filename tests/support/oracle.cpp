@@ -66,7 +66,8 @@ public:
     }
 
 private:
-    /// w(0) = dt v - dt^2 a/2, w(-1) = dt v - 3 dt^2 a/2. The masses of a union rest at one place, so their velocities are equal.
+    /// w(0) = dt v - dt^2 a/2, w(-1) = dt v - 3 dt^2 a/2. The masses of a union rest at one place, so their velocities
+    /// are equal.
     void start() {
         const double dt = scene_.step;
         std::vector<Vector> velocity;
@@ -81,7 +82,7 @@ private:
         }
     }
 
-    /// The sensor of a duplet measures from P to Q, one edge off the shared face on either side.
+    /// A duplet's sensor measures the distance of P and Q, the masses one edge off the shared face on either side.
     void decide(std::size_t d) {
         const auto& [a, b, axis] = duplets_[d];
         const double rest = 2 * scene_.edge[axis];
@@ -98,7 +99,7 @@ private:
         }
     }
 
-    /// Floods the unions with their smallest masses, over active duplets, until nothing changes.
+    /// Finds the unions: the smallest mass of each spreads over active duplets until nothing changes.
     void find_unions() {
         std::iota(union_.begin(), union_.end(), std::size_t{0});
         for (bool changed = true; changed;) {
@@ -114,7 +115,7 @@ private:
         }
     }
 
-    /// Corners that differ along one axis span an edge, along all three a diagonal, along two nothing.
+    /// An edge joins corners that differ along one axis, a diagonal those that differ along all three axes.
     void interact(std::size_t i, std::size_t j, const std::vector<Vector>& velocity) {
         Vector rest{};
         int differing = 0;
@@ -135,7 +136,7 @@ private:
         force_[j] = plus(force_[j], -tension, n);
     }
 
-    /// By mass: the force on its union over the mass of its union.
+    /// The force on each mass's union divided by the mass of that union, by mass.
     [[nodiscard]] std::vector<Vector> accelerations(const std::vector<Vector>& velocity) {
         force_.assign(u_.size(), {});
         for (std::size_t i = 0; i < u_.size(); ++i) {
@@ -156,7 +157,8 @@ private:
         return all;
     }
 
-    /// An increment with its held components as prescribed at a time; before 0, on the line through 0 and as long after it.
+    /// Replaces the held components of an increment by their prescribed values at `time`. Before 0, the velocity is
+    /// extrapolated linearly: v(-t) = 2 v(0) - v(t).
     [[nodiscard]] Vector hold(std::size_t mass, Vector increment, double time) const {
         const Vector& at = rest_[mass];
         for (const Support& support : scene_.supports) {

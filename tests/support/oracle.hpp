@@ -7,12 +7,12 @@
 #include <optional>
 #include <vector>
 
-/// The physics of a block once more, as plainly as it can be said: every mass has its own motion; every interaction, sensor and
-/// Mass-union is worked out from its definition. It shares no code with cracksim, whose results are compared with it.
+/// A second, plain implementation of the physics of a block: every mass has its own motion; every interaction, sensor
+/// and Mass-union is computed from its definition. It shares no code with cracksim, whose results are compared with it.
 namespace cracksim::oracle {
 
 using Vector = std::array<double, 3>;
-using Field = std::function<double(const Vector&, double)>;  ///< of a rest position (m) and the time (s)
+using Field = std::function<double(const Vector&, double)>;  ///< function of a rest position (m) and the time (s)
 
 struct Interaction {
     double stiffness;  ///< N/m
@@ -24,7 +24,7 @@ struct Weibull {
     std::uint64_t seed;
 };
 
-/// Prescribed velocity (m/s) of the masses that rest inside a box; an empty component is free.
+/// Prescribes the velocity (m/s) of the masses whose rest position is inside a box; an empty component is free.
 struct Support {
     Vector lower;
     Vector upper;
@@ -34,7 +34,8 @@ struct Support {
 enum class Scheme { cordis, ab2 };
 enum class Duplets { corners, tree };
 
-/// A block of hexahedra, in SI. Entity ids count x fastest, then y, then z; mass = 8 entity + corner, corners in VTK order.
+/// A block of hexahedra, in SI units. Entity ids count x fastest, then y, then z; mass = 8 entity + corner, corners in
+/// VTK order.
 struct Scene {
     std::array<std::size_t, 3> cells;
     Vector edge;
@@ -62,7 +63,7 @@ struct Duplet {
     friend auto operator<=>(const Duplet&, const Duplet&) = default;
 };
 
-/// What a sensor decided at a step. margin: distance of the stretch from the threshold, over the threshold.
+/// The decision of a sensor at a step. margin: distance of the stretch from the threshold, over the threshold.
 struct Decision {
     std::int64_t step;
     std::size_t mass_a;
@@ -72,21 +73,21 @@ struct Decision {
 
 struct Outcome {
     std::vector<Decision> events;       ///< by step and duplet
-    std::vector<Decision> near_events;  ///< decisions not to trigger with a margin below 1e-8
+    std::vector<Decision> near_events;  ///< sensors that did not trigger, by a margin below 1e-8
     double smallest_margin;             ///< of all decisions
     std::vector<Vector> displacement;   ///< u by mass, m
     std::vector<Vector> increment;      ///< w by mass, m
     std::size_t unions;
 };
 
-/// Ascending. `corners`: one for each corner of each shared face. `tree`: of those, for the masses that meet at a vertex, a
-/// spanning tree, breadth first from the smallest mass, neighbours in ascending order.
+/// The duplets, ascending. `corners`: one for each corner of each shared face. `tree`: for the masses that meet at a
+/// vertex, a spanning tree of these duplets, breadth first from the smallest mass, neighbours in ascending order.
 [[nodiscard]] std::vector<Duplet> duplets(const Scene& scene);
 
-/// Of a duplet's sensor: the field at its rest position times its Weibull factor of mean 1.
+/// The threshold of a duplet: the field at its rest position times its Weibull factor, whose mean is 1.
 [[nodiscard]] double threshold(const Scene& scene, const Duplet& duplet);
 
-/// From the start to the last step, at which sensors act once more.
+/// Runs a scene from the start to the last step; the sensors act once more at the last step.
 [[nodiscard]] Outcome run(const Scene& scene);
 
 }  // namespace cracksim::oracle

@@ -33,7 +33,7 @@ inline std::size_t across(std::size_t mass, std::size_t axis) {
            static_cast<std::size_t>(std::ranges::find(corner_place, place) - corner_place.begin());
 }
 
-/// Where a mass rests, from the block's lower corner.
+/// The rest place of a mass, counted in edges from the block's lower corner.
 inline Place vertex(const Scene& scene, std::size_t mass) {
     const std::size_t entity = mass / corners;
     const auto& [nx, ny, nz] = scene.cells;

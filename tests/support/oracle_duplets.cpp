@@ -9,7 +9,7 @@ namespace cracksim::oracle {
 
 namespace {
 
-/// All duplets of a mass in the order of the masses at their other ends.
+/// All duplets of a mass, in the order of the masses at their other ends.
 std::vector<Duplet> around(const Scene& scene, std::size_t mass) {
     const Place stride{1, scene.cells[0], scene.cells[0] * scene.cells[1]};
     std::vector<Duplet> found;
@@ -29,7 +29,7 @@ std::vector<Duplet> around(const Scene& scene, std::size_t mass) {
     return found;
 }
 
-/// Adds the tree of the masses that meet where `first`, the smallest of them, rests.
+/// Adds the tree of the masses that meet at a vertex; `first` is the smallest of them.
 void grow_tree(const Scene& scene, std::size_t first, std::vector<bool>& visited, std::vector<Duplet>& tree) {
     std::vector<std::size_t> queue{first};
     visited[first] = true;
@@ -54,7 +54,7 @@ std::uint64_t scramble(std::uint64_t v) {
     return v ^ (v >> 31U);
 }
 
-/// (-ln U)^(1/shape) / Gamma(1 + 1/shape); U in (0, 1) from seed and masses by SplitMix64.
+/// (-ln U)^(1/shape) / Gamma(1 + 1/shape); U in (0, 1) is a SplitMix64 hash of the seed and the masses.
 double weibull_factor(const Weibull& weibull, const Duplet& duplet) {
     std::uint64_t key = scramble(weibull.seed);
     key = scramble(key ^ scramble(duplet.a));

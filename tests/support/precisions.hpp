@@ -9,7 +9,7 @@ namespace cracksim::test {
 
 inline constexpr std::array both_precisions{physics::Precision::binary64, physics::Precision::binary32};
 
-/// An error that is allowed in double, and as many roundings in single precision.
+/// The allowed error: `in_double`, scaled by the ratio of the rounding units in single precision.
 [[nodiscard]] constexpr double allowed(double in_double, physics::Precision precision) {
     constexpr double ratio =
         static_cast<double>(std::numeric_limits<float>::epsilon()) / std::numeric_limits<double>::epsilon();

@@ -2,7 +2,7 @@
 
 namespace cracksim::test {
 
-/// Sanitized runs are slow: tests of many drawn scenes take fewer of them there.
+/// True in sanitized builds, which are slow: tests with many random scenes take fewer of them.
 constexpr bool is_quick = CRACKSIM_QUICK_TESTS;
 
 }  // namespace cracksim::test

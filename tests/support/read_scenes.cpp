@@ -5,8 +5,8 @@
 #include "core/errors.hpp"
 #include "scene/scene_reader.hpp"
 
-/// Reads scenes from standard input, each ended by a NUL byte, and says for each, on a line, what the reader has against it:
-/// nothing if it is a scene.
+/// Reads scenes from standard input, each ended by a NUL byte. Prints a line for each scene: the reader's error
+/// message, or nothing if the scene is valid.
 int main() {
     using namespace cracksim;
     for (std::string scene; std::getline(std::cin, scene, '\0');) {

@@ -13,7 +13,7 @@
 
 namespace cracksim::test {
 
-/// A scene that is being drawn: text and meaning grow together.
+/// A scene that is being drawn; its text and its meaning are built together.
 struct SceneDraft {
     explicit SceneDraft(std::uint64_t seed) : random{seed} {}
 
@@ -23,7 +23,7 @@ struct SceneDraft {
     std::set<std::string> options;
     double typical_threshold{0};
 
-    /// In the four digits of its text.
+    /// A random number, rounded to the four digits of its text.
     double number(double low, double high) {
         return rounded(std::uniform_real_distribution<double>{low, high}(random));
     }
@@ -33,7 +33,7 @@ struct SceneDraft {
         return std::uniform_int_distribution<std::size_t>{low, high}(random);
     }
     bool chance(double probability) { return std::bernoulli_distribution{probability}(random); }
-    /// Whether it was drawn; its name, or that of its contrary, is noted.
+    /// Decides at random whether an option is drawn; notes its name, or that of the contrary.
     bool option(double probability, const std::string& name, const std::string& contrary) {
         const bool drawn = chance(probability);
         options.insert(drawn ? name : contrary);
@@ -43,11 +43,11 @@ struct SceneDraft {
     [[nodiscard]] double length(std::size_t axis) const {
         return static_cast<double>(scene.cells[axis]) * scene.edge[axis];
     }
-    /// A place along an axis, in edges from the lower side of the block.
+    /// A place (m) along an axis, given in edges from the lower side of the block.
     [[nodiscard]] double place(std::size_t axis, double edges) const {
         return rounded(scene.origin[axis] + edges * scene.edge[axis]);
     }
-    /// About that of sound, m/s.
+    /// About the speed of sound, m/s.
     [[nodiscard]] double speed() const {
         return std::ranges::min(scene.edge) * std::sqrt(scene.edges.stiffness / scene.mass);
     }
@@ -56,7 +56,7 @@ struct SceneDraft {
 void draw_block(SceneDraft& draft);
 void draw_matter(SceneDraft& draft);
 void draw_sensors(SceneDraft& draft);
-/// Initial velocity, displacement and supports, at least one of them.
+/// Draws an initial velocity, an initial displacement and supports, at least a velocity or supports.
 void draw_loads(SceneDraft& draft);
 
 }  // namespace cracksim::test

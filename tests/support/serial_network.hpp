@@ -24,7 +24,7 @@ struct SerialBlock {
     [[nodiscard]] Block block() const { return {cells, edge, {0, 0, 0}}; }
     [[nodiscard]] physics::EntityModel model() const { return {edge, corner_mass, edges, diagonals}; }
     [[nodiscard]] physics::Network network() const { return network_with_halo(0, cells[0]); }
-    /// All entities, owned where first <= x < last.
+    /// The network of all entities; those with first <= x < last are owned.
     [[nodiscard]] physics::Network network_with_halo(std::int64_t first, std::int64_t last) const {
         std::vector<EntityId> ids;
         std::vector<std::uint8_t> owned;

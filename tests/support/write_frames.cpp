@@ -1,4 +1,4 @@
-// write_frames DIR: a small run's files, with a topology that changes from frame to frame, for readers to be tried on:
+// write_frames DIR: writes the files of a small run whose topology changes from frame to frame, as a test for readers:
 // surface, masses and topology at all times, crack from the third time on.
 #include <mpi.h>
 

@@ -1,4 +1,4 @@
-// Laws that a cracking block keeps through a thousand splits and more.
+// Conservation laws of blocks that crack by a thousand splits and more.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,8 @@
 namespace cracksim::physics {
 namespace {
 
-/// Runs a block from an initial velocity; after(state) follows each step's splits. Returns the number of splits.
+/// Runs a block from an initial velocity and calls after(network, state) after the splits of each step. Returns the
+/// number of splits.
 std::size_t run(const test::SerialBlock& block, Scheme scheme, const std::function<Vec3(Vec3)>& velocity,
                 double step_size, double end, const std::function<void(const Network&, const State&)>& after) {
     const Network network = block.network();
@@ -43,7 +44,7 @@ test::SerialBlock cracking_block(double threshold, double beta) {
     return block;
 }
 
-/// Stretching along x and y and some shear, of a given strain rate.
+/// Stretching along x and y with some shear, at the given strain rate.
 std::function<Vec3(Vec3)> expansion(double rate) {
     return [rate](Vec3 x) {
         return Vec3{rate * (x.x - 6) + 0.3 * rate * x.y, rate * (x.y - 6) * (1 + 0.1 * x.x),
@@ -53,7 +54,8 @@ std::function<Vec3(Vec3)> expansion(double rate) {
 
 double total_mass(const Network& network) { return network.mass_count() * network.model().corner_mass; }
 
-/// Momentum and angular momentum of the leapfrog, sum of M x(n) x w(n)/dt, which central forces keep exactly.
+/// Linear and angular momentum of the leapfrog scheme, sums of M w(n)/dt and M x(n) x w(n)/dt. Central forces keep them
+/// exactly.
 std::array<Vec3, 2> momenta(const Network& network, const State& state) {
     Vec3 linear;
     Vec3 angular;
@@ -86,7 +88,8 @@ TEST(Momentum, AndAngularMomentumStayConstantThroughSplits) {
 }
 
 TEST(LinearInvariant, NeverGrowsThroughSplitsAtTinyStrain) {
-    // Strains of 1e-15 and rotations of 1e-13: the network is linear to that many digits, and its thresholds are as small.
+    // Strains of 1e-15 and rotations of 1e-13: the network is linear to about that many digits, and the thresholds are
+    // equally small.
     const double scale = 1e-15;
     for (const double beta : {0.0, 0.02, 0.2}) {
         double lowest = std::numeric_limits<double>::infinity();

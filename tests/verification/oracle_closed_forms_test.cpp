@@ -1,4 +1,4 @@
-// The oracle itself, where the motion has a closed form.
+// Compares the oracle with closed forms of simple motions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ Field constant(double value) {
     return [value](const Vector&, double) { return value; };
 }
 
-/// Cubes that rest, intact for ever.
+/// Cubes at rest that never break.
 Scene cubes(std::array<std::size_t, 3> cells) {
     Scene scene{};
     scene.cells = cells;
@@ -30,7 +30,8 @@ Scene cubes(std::array<std::size_t, 3> cells) {
     return scene;
 }
 
-/// The entity of `cubes({1, 1, 1})` breathes: every length is (1 + s) times its rest length, so forces are linear in s for any s:
+/// The entity of `cubes({1, 1, 1})` expands and contracts: every length is (1 + s) times its rest length, so forces are
+/// linear in s for any s:
 ///     m s'' = -2 (k_edge + k_diagonal) s - 2 (z_edge + z_diagonal) s'
 Scene breathing(double amplitude) {
     Scene scene = cubes({1, 1, 1});
@@ -40,7 +41,7 @@ Scene breathing(double amplitude) {
     return scene;
 }
 
-/// s after the last step, from the corner farthest from the origin.
+/// s after the last step, computed from the corner farthest from the origin.
 double breath(const Scene& scene) {
     const Outcome outcome = run(scene);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -51,7 +52,7 @@ double breath(const Scene& scene) {
 }
 
 TEST(OneEntity, BreathesAtTheFrequencyOfTheScheme) {
-    // u(n) = s cos(n theta) with 4 sin^2(theta/2) = dt^2 omega^2: the start takes w(0) from the second order of the cosine.
+    // u(n) = s cos(n theta) with 4 sin^2(theta/2) = dt^2 omega^2; w(0) is the second-order expansion of the cosine.
     for (const Scheme scheme : {Scheme::cordis, Scheme::ab2}) {
         for (const double amplitude : {1e-3, 0.3}) {
             Scene scene = breathing(amplitude);
@@ -83,8 +84,8 @@ TEST(OneEntity, IsDampedToTheFirstOrderByCordisAndToTheSecondByAb2) {
     EXPECT_LT(error(Scheme::ab2, 4000), 1e-6);
 }
 
-/// Two cubes without diagonals whose outer planes part: the planes x = 0 and x = 2 edge move by -q and q on springs of k to the
-/// plane between, which stays at rest.
+/// Two cubes without diagonals whose outer planes move apart: the planes x = 0 and x = 2 edge move by -q and q, on
+/// springs of stiffness k to the plane between them, which stays at rest.
 Scene parting(double threshold) {
     Scene scene = cubes({2, 1, 1});
     scene.diagonals = {0, 0};
@@ -116,7 +117,8 @@ TEST(TwoEntities, PartWhenTheirSensorsSaySoAndThenFlyAndSwing) {
         EXPECT_EQ(outcome.events[i].mass_b, expected[i][1]);
         EXPECT_NEAR(outcome.events[i].margin, q(parted) / (threshold * edge) - 1, 1e-10);
     }
-    // From then on the cube's centre keeps half of the outer plane's speed, and its length swings with two free ends.
+    // After the split, the centre of the cube keeps half of the outer plane's speed, and its length oscillates with two
+    // free ends.
     const double free_theta = 2 * std::asin(0.5 * scene.step * std::sqrt(2 * 7 / 0.3));
     const double start = q(parted);
     const double before = q(parted - 1);
@@ -143,7 +145,7 @@ TEST(Support, MovesItsMassesByTheVelocityAtTheMiddleOfEachStep) {
     const Field velocity = [](const Vector& at, double t) { return (1 + at[1]) * t * t; };
     scene.supports.push_back({{-1, -1, -1}, {1, 1, 1}, {velocity, {}, {}}});
     const Outcome outcome = run(scene);
-    // The midpoint rule's sum of t^2: dt^3 N (4 N^2 - 1) / 12.
+    // The sum of t^2 by the midpoint rule: dt^3 N (4 N^2 - 1) / 12.
     const double sum = std::pow(scene.step, 3) * 300 * (4 * 300.0 * 300.0 - 1) / 12;
     EXPECT_NEAR(outcome.displacement[0][0], sum, 1e-9 * sum);
     EXPECT_NEAR(outcome.displacement[3][0], (1 + edge) * sum, 1e-9 * sum);

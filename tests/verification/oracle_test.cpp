@@ -1,5 +1,6 @@
-// Random scenes, computed by cracksim from their text and by the oracle from their meaning.
-// CRACKSIM_SCENES: how many; CRACKSIM_SEED: the first seed, each scene takes the next; CRACKSIM_SIMD: a SIMD target not to exceed.
+// Compares random scenes: cracksim computes them from their text, the oracle from their meaning.
+// CRACKSIM_SCENES: number of scenes; CRACKSIM_SEED: seed of the first scene, each further scene takes the next seed;
+// CRACKSIM_SIMD: the best SIMD target that may be used.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@
 namespace cracksim::test {
 namespace {
 
-/// Enough for every option to be drawn.
+/// The number of scenes from which on every option must have been drawn.
 constexpr std::uint64_t whole_campaign = 50;
 
 const partition::Communicator& world() {
@@ -27,13 +28,13 @@ const partition::Communicator& world() {
     return comm;
 }
 
-/// The root's environment, on every rank.
+/// The value of the root's environment variable, on every rank.
 std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
     const char* value = std::getenv(name);
     return std::stoull(world().broadcast(value == nullptr ? std::to_string(otherwise) : value));
 }
 
-/// The vector instructions that CRACKSIM_SIMD allows on the root.
+/// Limits the SIMD target to the one that CRACKSIM_SIMD names on the root.
 void limit_instructions() {
     const char* value = std::getenv("CRACKSIM_SIMD");
     const std::string named = world().broadcast(value == nullptr ? std::string{} : value);
@@ -45,11 +46,11 @@ void limit_instructions() {
     physics::limit_simd_target(world().min(std::min(*target, physics::best_simd_target())));
 }
 
-/// What a campaign has seen.
+/// The sums over a campaign.
 struct Tally {
     std::map<std::string, std::uint64_t> drawn;
     std::uint64_t scenes{0};
-    std::uint64_t chaotic{0};  ///< not compared
+    std::uint64_t chaotic{0};  ///< too chaotic to be compared
     std::uint64_t splitting{0};
     std::uint64_t undecided{0};
     std::size_t events{0};
@@ -87,7 +88,8 @@ bool is_calm(const DrawnScene& drawn) {
     return !world().any(world().is_root() && !(growth_of_changes(drawn.scene) < calm_growth));
 }
 
-/// Collective; the verdict is the root's, but for a scene that is refused or breaks down.
+/// Compares a scene's run with the oracle. Collective; the verdict is valid on the root, and on every rank if the scene
+/// is refused or its run becomes invalid.
 Verdict judge(const DrawnScene& drawn) {
     Verdict verdict;
     try {
@@ -101,7 +103,7 @@ Verdict judge(const DrawnScene& drawn) {
     return verdict;
 }
 
-/// Collective; what is wrong is said by the root.
+/// Collective; the root reports the differences.
 bool scene_agrees(std::uint64_t seed, Tally& tally) {
     const DrawnScene drawn = draw_scene(seed);
     if (!is_calm(drawn)) {

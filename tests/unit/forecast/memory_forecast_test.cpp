@@ -24,7 +24,8 @@ std::int64_t peak(const std::vector<std::string>& settings, int ranks, double op
 }
 
 TEST(PeakBytes, HalveWithTwiceTheRanks) {
-    // Long, so that what is kept for a cut is little. The root has what METIS takes and what is drawn whole.
+    // The block is long, so that the memory for a cut is small. Slabs, and no frames, because only the root holds
+    // METIS's graphs and gathered frames.
     std::vector<std::string> settings{"block.cells=[50, 50, 400]", "partition.kind=slab", "output.surface=false",
                                       "output.crack=false"};
     const double one = static_cast<double>(peak(settings, 1, 0));

@@ -59,7 +59,7 @@ TEST(OutputForecast, CountsFacesAndPointsOfBothEnds) {
 }
 
 TEST(OutputForecast, AnOpenedInterfaceAddsTwoFacesAndTwoPointsToEachPicture) {
-    // A face: 4 corners, an offset, a type, 4 fields; and a point of 3 coordinates.
+    // A face has 4 corners, an offset, a type and 4 fields; a point has 3 coordinates.
     constexpr int face = 8 * 4 + 8 + 1 + 8 * 4;
     EXPECT_EQ(forecast({"output.crack=false"}).per_face, 2 * (face + 24));
     EXPECT_EQ(forecast({}).per_face, 4 * (face + 24));

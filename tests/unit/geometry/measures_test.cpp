@@ -97,7 +97,8 @@ TEST(ConeVolume, OfTwoSidesOfASkewFaceCancels) {
 TEST(ConeVolume, IsThatOfTheBilinearPatch) {
     const Quadrilateral face{{{0, 0, 0}, {1, 0, 0.3}, {1.1, 1, -0.2}, {0, 0.9, 0.1}}};
     const Vec3 apex{0.2, 0.3, 2};
-    // Midpoint sum of 1/3 (x - apex) . (x_u x x_v) over the patch; its error falls with the square of the cell size.
+    // Midpoint sum of 1/3 (x - apex) . (x_u x x_v) over the patch; its error decreases with the square of the cell
+    // size.
     const int n = 400;
     double sum = 0;
     for (int i = 0; i < n; ++i) {

@@ -8,7 +8,7 @@
 
 namespace cracksim::geometry::sample {
 
-/// Kept as lists.
+/// An evolution stored as lists.
 struct ListedEvolution final : physics::Evolution {
     explicit ListedEvolution(std::size_t masses) : rest_positions(masses), displacements(masses) {}
 
@@ -30,7 +30,7 @@ inline ListedEvolution at_rest(const Block& block) {
     return evolution;
 }
 
-/// Adds a displacement that is a function of the rest position, so that all masses of a vertex stay together.
+/// Adds a displacement that depends only on the rest position, so that all masses of a vertex stay together.
 template <class Field>
 void displace(ListedEvolution& evolution, const Field& field) {
     for (std::size_t m = 0; m < evolution.rest_positions.size(); ++m) {
@@ -39,7 +39,7 @@ void displace(ListedEvolution& evolution, const Field& field) {
     }
 }
 
-/// Twisted and bent, so that no face is plane.
+/// A displacement that twists and bends, so that no face stays plane.
 inline Vec3 wavy(Vec3 p) {
     return {0.03 * std::sin(3 * p.y + p.z), 0.05 * std::cos(4 * p.x - p.z), 0.04 * std::sin(5 * p.x * p.y)};
 }

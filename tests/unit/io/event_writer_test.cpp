@@ -12,7 +12,7 @@ constexpr double dt = 0.001;
 
 physics::DupletEvent event(std::int64_t step, std::int64_t a, std::int64_t b) { return {step, MassId{a}, MassId{b}}; }
 
-/// Events and parts of steps [from, to), those of step s known to rank s mod ranks, and from the last to the first.
+/// Events and parts of the steps [from, to), in descending order of steps; rank s mod ranks has those of step s.
 struct Happened {
     std::vector<physics::DupletEvent> events;
     SplitParts parts;

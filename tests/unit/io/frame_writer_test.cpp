@@ -16,7 +16,7 @@
 namespace cracksim::io {
 namespace {
 
-/// Both ways of writing: gathered on the root, and by all ranks at once (a limit of 0 bytes).
+/// Runs each test for both ways of writing: gathered on the root, and by all ranks at once (a limit of 0 bytes).
 class FrameWriting : public testing::TestWithParam<std::int64_t> {
 protected:
     void SetUp() override {
@@ -134,7 +134,7 @@ TEST_P(FrameWriting, FieldOfAnotherLengthIsRefusedOnAllRanks) {
     EXPECT_THROW(surface_.write(mesh, 0, 0), FileError);
 }
 
-/// A limit on the size of files makes writes fail half-way, as a full disk does, without a disk of its own.
+/// Limits the size of files, so that writes fail half-way as on a full disk.
 class FileSizeLimit {
 public:
     explicit FileSizeLimit(rlim_t bytes) {
@@ -230,7 +230,7 @@ TEST_P(FrameWriting, SizesOfFramesAndIndexesAreKnownBeforehand) {
         const auto size = [&](const std::string& file) {
             return static_cast<std::int64_t>(std::filesystem::file_size(scratch_ / file));
         };
-        // Ranks that write at once cut the file to what they wrote; what is claimed for headers is not all used.
+        // Ranks that write at once cut the file to its written size; not all of the space reserved for headers is used.
         const bool is_cut = GetParam() == 0 && world().size() > 1;
         EXPECT_LE(vtkhdf_bytes(frame) - size(record.file), is_cut ? 65536 : 0);
         EXPECT_GE(vtkhdf_bytes(frame), size(record.file));

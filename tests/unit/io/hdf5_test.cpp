@@ -25,7 +25,7 @@ TEST(Hdf5, RowsSpreadOverTheRanksReadBackInGlobalOrder) {
     const std::int64_t rank = world().rank().value();
     {
         File file{scratch / "a.hdf", Access::create, world().handle()};
-        // Rank r has r rows: the root has none.
+        // Rank r has r rows, so the root has none.
         const std::vector<Vec3> own(static_cast<std::size_t>(rank), Vec3{static_cast<double>(rank), 2, 3});
         file.create<Vec3>("/points", world().sum(rank) + 1);
         file.write("/points", world().sum_below(rank), std::span<const Vec3>{own});

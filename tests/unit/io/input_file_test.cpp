@@ -29,7 +29,7 @@ std::string refused(const fs::path& path, const std::string& why) {
 
 class InputFile : public ::testing::Test {
 protected:
-    /// A file of each rank's own: only the root reads in a run, here all do.
+    /// The path of a file for this rank alone: here all ranks read, while in a run only the root reads.
     fs::path own(const std::string& name) const { return scratch_ / (name + std::to_string(world().rank().value())); }
 
     Scratch scratch_;

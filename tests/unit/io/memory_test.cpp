@@ -10,7 +10,7 @@ namespace {
 
 TEST(PeakResidentBytes, GrowsWithMemoryThatIsUsedAndStaysAfterIt) {
     const std::int64_t before = peak_resident_bytes();
-    // As much as the peak so far and more: what earlier tests gave back to the system need not be resident now.
+    // More than the peak so far: memory that earlier tests returned to the system need not be resident now.
     const auto bytes = static_cast<std::size_t>(before) + (std::size_t{64} << 20U);
     char first = 0;
     {

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The text of the InputError that check() throws, the same on all ranks.
+/// The text of the InputError that check() throws; the same on all ranks.
 std::string refusal(const fs::path& path) {
     try {
         RunDirectory{path}.check(world());

@@ -15,7 +15,7 @@ inline const partition::Communicator& world() {
     return comm;
 }
 
-/// A directory of its own for one test, the same on all ranks; gone with the object. Collective.
+/// A directory for one test, the same on all ranks, removed with the object. Collective.
 class Scratch {
 public:
     Scratch() {
@@ -48,7 +48,7 @@ inline std::string text_of(const std::filesystem::path& file) {
 
 inline void touch(const std::filesystem::path& file, const std::string& text = "x") { std::ofstream{file} << text; }
 
-/// Does any file below carry the name of an unfinished one?
+/// True if a file anywhere below the directory has the name of an unfinished file.
 inline bool has_unfinished(const std::filesystem::path& directory) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator{directory}) {
         if (entry.path().extension() == ".tmp") {

@@ -9,7 +9,8 @@
 
 namespace cracksim::io {
 
-/// Rank r of `ranks` holds items [begin, end) of a run of `count`; shares are unequal, and some are empty if there are few.
+/// The items [begin, end) of `count` that a rank of `ranks` holds; shares are unequal, and some are empty if `count` is
+/// small.
 struct Share {
     std::int64_t begin;
     std::int64_t end;
@@ -18,7 +19,7 @@ inline Share share(std::int64_t count, std::int64_t rank, std::int64_t ranks) {
     return {count * rank * rank / (ranks * ranks), count * (rank + 1) * (rank + 1) / (ranks * ranks)};
 }
 
-/// A strip of `cells` unit squares along x, bent by `lift` in z, its points and cells spread over the ranks.
+/// A strip of `cells` unit squares along x, bent by `lift` in z; its points and cells are distributed over the ranks.
 inline geometry::Mesh strip_mesh(const partition::Communicator& comm, std::int64_t cells, double lift) {
     geometry::Mesh mesh;
     const Share columns = share(cells == 0 ? 0 : cells + 1, comm.rank().value(), comm.size());
@@ -40,7 +41,7 @@ inline geometry::Mesh strip_mesh(const partition::Communicator& comm, std::int64
     return mesh;
 }
 
-/// Points along x, each a cell, with one field.
+/// Points along x with one field; each point is a cell.
 inline geometry::Mesh point_mesh(const partition::Communicator& comm, std::int64_t points) {
     geometry::Mesh mesh{.kind = geometry::CellKind::point, .points = {}, .connectivity = {}, .fields = {}};
     std::vector<double> speed;

@@ -12,7 +12,7 @@ namespace {
 constexpr Material material{.young = 3e6, .density = 1200, .damping = 0.25, .fracture_energy = 2.0};
 constexpr double edge = 0.02;
 
-/// C_ijkl of a cube with the network's interactions, Pa: (1/V) sum k L^2 n_i n_j n_k n_l.
+/// C_ijkl (Pa) of a cube with the network's interactions: (1/V) sum k L^2 n_i n_j n_k n_l.
 double interaction(const Network& network, int i, int j, int k, int l) {
     const physics::EntityModel model{{edge, edge, edge},
                                      network.mass,

@@ -26,7 +26,7 @@ Scene read(const std::string& text, const std::vector<std::string>& settings = {
     return read_scene(text, "a.yaml", settings);
 }
 
-/// The message for the minimal scene with settings.
+/// The error message for the minimal scene with settings.
 std::string error_with(const std::vector<std::string>& settings) {
     try {
         static_cast<void>(read(minimal, settings));

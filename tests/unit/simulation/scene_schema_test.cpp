@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Adds the path of every property below a map of the schema, with * for any item of a list.
+/// Adds the path of every property below a map of the schema; * stands for any item of a list.
 void add_keys(const Json& map, const std::string& parent, std::set<std::string>& keys) {
     const Json properties = map.value("properties", Json::object());
     for (const auto& [name, property] : properties.items()) {

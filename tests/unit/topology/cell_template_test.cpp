@@ -15,7 +15,7 @@ struct Tetrahedron {
         {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
 };
 
-/// Four triangles of which one lies on another: edges 0-3 and 2-3 have one face each.
+/// Four triangles, two of which coincide: edges 0-3 and 2-3 have one face each.
 struct OpenTetrahedron {
     static constexpr int corners = 4;
     static constexpr int faces = 4;

@@ -9,7 +9,7 @@ namespace {
 
 using GlobalComponents = IdArray<LocalEntity, EntityId>;
 
-/// Flood fill by alpha3, one component after the other.
+/// Labels the components one after the other by flooding over alpha3.
 GlobalComponents flooded(const GMap& map) {
     GlobalComponents labels(static_cast<std::size_t>(map.entity_count()));
     for (LocalEntity seed{0}; seed.value() < map.entity_count(); ++seed) {

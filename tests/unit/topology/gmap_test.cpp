@@ -8,7 +8,7 @@
 namespace cracksim::topology {
 namespace {
 
-/// Two entities, face 1 of the first sewn to the given face of the second with the given rotation.
+/// Two entities; face 1 of the first is sewn to a face of the second with a rotation.
 GMap pair_of_entities(int face, int rotation) {
     std::vector<FaceLink> links(12, FaceLink::boundary());
     links[1] = FaceLink::local(LocalEntity{1}, face, rotation);

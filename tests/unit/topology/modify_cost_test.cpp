@@ -1,4 +1,4 @@
-// What the modification costs; tests/bench measures it.
+// Tests that the cost of the modification does not depend on the block; tests/bench measures the cost.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace cracksim::topology {
 namespace {
 
-/// At the 27 vertices next to the middle of a cube, the 4 masses on the upper side of x part from the others.
+/// Splits at the 27 vertices next to the middle of a cube: the 4 masses on the upper side of x leave their union.
 physics::SplitStream splits_in_the_middle(const Block& block) {
     physics::SplitStream stream;
     const std::int64_t middle = block.cells()[0] / 2;
@@ -38,7 +38,7 @@ physics::SplitStream splits_in_the_middle(const Block& block) {
     return stream;
 }
 
-/// Of one modification, which is undone.
+/// The time of one modification, which is then undone.
 std::chrono::nanoseconds time_of_modification(GMap& map, const physics::SplitStream& splits) {
     const auto start = std::chrono::steady_clock::now();
     const Changes changes = modify(map, splits);
@@ -53,7 +53,7 @@ TEST(Modify, TakesAsLongInABlockOf64TimesTheEntities) {
     std::array<std::pair<GMap, physics::SplitStream>, 2> blocks{
         {{sample::whole(sample::block(10, 10, 10)), splits_in_the_middle(sample::block(10, 10, 10))},
          {sample::whole(sample::block(40, 40, 40)), splits_in_the_middle(sample::block(40, 40, 40))}}};
-    // Noise only adds time: the shortest of many, taken in turn, compare well on a busy machine too.
+    // Noise only adds time, so the shortest of many times, taken in turn, can be compared even on a busy machine.
     std::array shortest{std::chrono::nanoseconds::max(), std::chrono::nanoseconds::max()};
     for (int repeat = 0; repeat < 300; ++repeat) {
         for (std::size_t b = 0; b < 2; ++b) {

@@ -94,7 +94,7 @@ TEST(Modify, EachInterfaceIsReportedOnceAtItsFirstSplit) {
     EXPECT_EQ(changes.unsewn, (std::vector<UnsewnFace>{{LocalEntity{0}, 1, LocalEntity{1}, 0, 1.0}}));
 }
 
-/// Splits of a whole block's unions, told to its map and to those of pretended ranks.
+/// Random splits of a whole block's unions, applied to its map and to the maps of pretended ranks.
 class RandomSplits {
 public:
     RandomSplits(const Block& block, std::size_t ranks, std::uint64_t seed)

@@ -14,7 +14,7 @@ auto as_set(const Orbit& orbit) {
     return std::set(orbit.begin(), orbit.end());
 }
 
-/// Blocks after unsewing 0 to 100 % of their faces at random.
+/// Calls check for blocks whose faces were unsewn at random, 0 to 100 % of them.
 template <class Check>
 void for_random_maps(const Check& check) {
     for (const std::uint64_t seed : {11U, 12U, 13U, 14U, 15U, 16U}) {

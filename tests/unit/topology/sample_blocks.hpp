@@ -49,7 +49,7 @@ inline std::int64_t sewn_faces(const GMap& map) {
     return sides / 2;
 }
 
-/// Unsews each interior face with the given chance in percent.
+/// Unsews each interior face with a probability of `percent` %.
 inline void unsew_randomly(GMap& map, Random& random, std::size_t percent) {
     for (LocalEntity e{0}; e.value() < map.entity_count(); ++e) {
         for (int f = 0; f < Cell::faces; ++f) {
@@ -60,7 +60,7 @@ inline void unsew_randomly(GMap& map, Random& random, std::size_t percent) {
     }
 }
 
-/// The Mass-unions of a whole block and their random splits: all duplets of a vertex at first.
+/// The Mass-unions of a whole block and their random splits; at first all masses of a vertex are one union.
 class RandomUnions {
 public:
     explicit RandomUnions(const Block& block) : union_of_(static_cast<std::size_t>(block.mass_count())) {
@@ -77,7 +77,7 @@ public:
     [[nodiscard]] bool share(MassId a, MassId b) const { return union_of_[a] == union_of_[b]; }
     [[nodiscard]] const std::map<std::int64_t, std::vector<MassId>>& masses() const { return masses_; }
 
-    /// Splits one union with two masses or more at random; its parts, or nothing when the union drawn is a lone mass.
+    /// Draws a union and splits it at random; returns its parts, or nothing if the union drawn has one mass.
     std::vector<std::vector<MassId>> split(Random& random) {
         auto drawn = masses_.begin();
         std::advance(drawn, static_cast<std::ptrdiff_t>(below(random, masses_.size())));
@@ -108,7 +108,7 @@ private:
     std::int64_t next_{0};
 };
 
-/// A rank of a random partition, with what it would hold: all entities around the vertices of its own ones.
+/// A rank of a random partition with the entities that it would hold: all that share a vertex with its own.
 struct PretendRank {
     std::vector<EntityId> local;
     std::vector<std::uint8_t> owned;

@@ -7,7 +7,7 @@
 namespace cracksim::topology {
 namespace {
 
-/// Two entities whose links name each other with different rotations.
+/// Two entities linked to each other with different rotations.
 GMap crooked_pair() {
     std::vector<FaceLink> links(12, FaceLink::boundary());
     links[1] = FaceLink::local(LocalEntity{1}, 0, 0);
@@ -51,7 +51,7 @@ TEST(Validate, LeavesFacesSewnToEntitiesThatAreNotLocalOut) {
     EXPECT_EQ(validate(GMap{links}), std::nullopt);
 }
 
-/// A map with one link or one sewn bit changed.
+/// The map with one link or one sewn bit changed.
 GMap planted(const GMap& map, LocalEntity entity, int face, FaceLink link, bool flip) {
     std::vector<FaceLink> links;
     for (LocalEntity e{0}; e.value() < map.entity_count(); ++e) {

@@ -36,7 +36,8 @@ TEST(Prefilter, FindsWhatAllSensorsFindInRandomStates) {
     EXPECT_GT(found, 1000U);
 }
 
-/// A block stretched evenly along x, and moved; its threshold is some ulps beside that stretch.
+/// Compares sensing with and without the prefilter for a block that is moved and stretched evenly along x; the
+/// threshold differs from that stretch by `ulps` ulps.
 void expect_nothing_missed(double stretch, int ulps, Precision precision) {
     double threshold = stretch;
     for (int i = 0; i < std::abs(ulps); ++i) {
@@ -91,7 +92,7 @@ TEST(Prefilter, MissesNothingWhereAnotherEdgeHasVanished) {
     EXPECT_EQ(Sensors{Prefilter::on}.sense(network, state), Sensors{Prefilter::off}.sense(network, state));
 }
 
-/// Displaces all unions by steps of a random walk, so that some edges stay stretched and others come and go.
+/// Moves all unions by a step of a random walk, so that some edges stay stretched and others change.
 void walk(State& state, double size, std::uint64_t seed) {
     State step = state;
     test::shake(step, size, seed);
@@ -104,7 +105,7 @@ TEST(Prefilter, ForgetsWhatItKeptOfEdgesWhereUnionsSplit) {
     std::size_t found = 0;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         test::SerialBlock block;
-        // So wide that batches lie inside, where vectors of eight compare with the lowest limit.
+        // Wide enough for batches inside the block, where vectors of eight are compared with the lowest limit.
         block.cells = {25, 4, 3};
         block.thresholds.weibull = Weibull{3, seed};
         block.thresholds.field = [](Vec3) { return 0.2; };

@@ -12,7 +12,7 @@
 namespace cracksim::physics {
 namespace {
 
-/// The parts of the block's masses under the duplets that are still active, by flooding pair by pair.
+/// The parts that the active duplets make of the block's masses, found by flooding over pairs of masses.
 std::set<std::set<std::int32_t>> flooded(const Network& network, const std::set<LocalDuplet>& inactive) {
     std::vector<std::int32_t> label(static_cast<std::size_t>(network.mass_count()));
     std::iota(label.begin(), label.end(), 0);
@@ -38,7 +38,7 @@ std::set<std::set<std::int32_t>> flooded(const Network& network, const std::set<
     return all;
 }
 
-/// Where corners meet without a duplet.
+/// The ids of pairs of corners that meet without a duplet.
 std::set<LocalDuplet> missing(const Network& network) {
     std::set<LocalDuplet> found;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interior_faces().size()); ++i) {

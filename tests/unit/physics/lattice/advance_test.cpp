@@ -104,7 +104,7 @@ TEST(Advance, NotesTheFirstUnionThatMakesNoSense) {
     }
 }
 
-/// Two of three duplets inactive.
+/// A state in which two of three duplets are inactive.
 State cracked_state(const Network& network, Precision precision) {
     State state{network, Scheme::ab2, 0.3, precision};
     std::vector<LocalDuplet> inactive;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// The next greater one.
+/// The next greater value.
 Bfloat16 above(Bfloat16 half) {
     if (half.value() == 0) {
         return Bfloat16{1};

@@ -33,7 +33,7 @@ TEST(EdgeLimits, KnowTheLowestOfEachHalfBatchWhileLimitsRiseAndFall) {
     constexpr std::uint32_t seed = 20261126;
     SCOPED_TRACE(seed);
     std::mt19937 draw{seed};
-    // Few values, some below zero, so that the lowest is often there twice.
+    // Only a few values, some below zero, so that the lowest often occurs twice.
     constexpr float values[] = {-0.5F, -1e-6F, 0.0F, 0.25F, 3.0F, std::numeric_limits<float>::infinity()};
     for (int change = 0; change < 5000; ++change) {
         const Site site{static_cast<std::int32_t>(draw() % (halves * Lattice::half))};

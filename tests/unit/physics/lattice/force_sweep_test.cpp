@@ -16,7 +16,7 @@
 namespace cracksim::physics {
 namespace {
 
-/// The force on each corner of an entity, interaction by interaction, as the model states it.
+/// The force on each corner of an entity, computed from the model interaction by interaction.
 std::array<Vec3, Hexahedron::corners> plain_forces(const Network& network, const State& state, LocalEntity e) {
     std::array<Vec3, Hexahedron::corners> force{};
     for (std::size_t i = 0; i < HexahedronPairs::count; ++i) {
@@ -55,7 +55,7 @@ TEST(ForceSweep, IsTheModelsForceInEveryEntityOfAnyBlock) {
     }
 }
 
-/// The model's force on each union, mass by mass.
+/// Compares the force on each union with the model's, summed mass by mass.
 void expect_forces_of_the_model(const Network& network, State& state) {
     accumulate_forces(network, state, Measure::nothing);
     for (const LocalUnion s : state.unions.advanced()) {
@@ -91,8 +91,8 @@ TEST(ForceSweep, SumsTheModelsForcesOverUnionsInAnyStateOfSplits) {
     }
 }
 
-/// The union at an entity's corner 0 is displaced. Its stretched interactions put their neighbours in the vector on another path, whose
-/// forces must not notice.
+/// Displaces the union at an entity's corner 0. Its stretched interactions force all interactions of their vectors into
+/// the branch for large strains. The forces of the other interactions must not change.
 void expect_that_only_its_neighbours_notice(Precision precision, EntityId entity, Vec3 displacement) {
     test::SerialBlock block;
     block.cells = {40, 3, 3};
@@ -126,7 +126,8 @@ void expect_that_only_its_neighbours_notice(Precision precision, EntityId entity
 TEST(ForceSweep, GivesTheSameBitsWhateverTheRangeOfTheOthers) {
     for (const Precision precision : test::both_precisions) {
         for (const Vec3 displacement : {Vec3{0.15, 0.1, -0.1}, Vec3{3, 2, 1}, Vec3{std::nan(""), 0, 0}}) {
-            // Inside, at the start of a row, at the front, in the lowest layer and at the start of its rows.
+            // An entity inside, at the start of a row, at the front, in the lowest layer, and at the start of a row of
+            // that layer.
             for (const std::int64_t entity : {180, 161, 140, 60, 41}) {
                 expect_that_only_its_neighbours_notice(precision, EntityId{entity}, displacement);
             }
@@ -134,7 +135,8 @@ TEST(ForceSweep, GivesTheSameBitsWhateverTheRangeOfTheOthers) {
     }
 }
 
-/// A single edge of stiffness 1 in one entity, stretched by about this quadratic_strain x = |d|^2/L0^2 - 1: its force over the right one.
+/// The force of a single edge of stiffness 1, stretched to about the quadratic strain x = |d|^2/L0^2 - 1, divided by
+/// the exact force.
 double relative_pull_along_x(double quadratic_strain, Precision precision) {
     test::SerialBlock block;
     block.cells = {1, 1, 1};
@@ -142,7 +144,7 @@ double relative_pull_along_x(double quadratic_strain, Precision precision) {
     block.diagonals = {0, 0};
     const Network network = block.network();
     State state{network, Scheme::cordis, 0.3, precision};
-    // The length 1 + u from u = x/(1 + sqrt(1 + x)) has all its digits.
+    // u = x/(1 + sqrt(1 + x)) gives the length 1 + u without loss of digits.
     const double u = state.motion.rounded(quadratic_strain / (1 + std::sqrt(1 + quadratic_strain)));
     for (LocalMass m{0}; m.value() < Hexahedron::corners; ++m) {
         state.set_displacement(state.unions.union_of(m), {u * network.rest_position(m).x, 0, 0});
@@ -165,7 +167,7 @@ TEST(ForceSweep, IsRightToTheLastDigitsAtAnyStretch) {
 }
 
 void expect_no_force_under_translation(Precision precision, double far) {
-    // Void places and empty ones stay where they are.
+    // Void places and places without a union are not displaced.
     for (const std::array<std::int64_t, 3> cells :
          {std::array<std::int64_t, 3>{1, 1, 1}, {5, 3, 2}, {8, 2, 2}, {16, 2, 2}, {33, 3, 4}}) {
         for (const std::uint64_t one_in : {0U, 3U, 1U}) {
@@ -213,7 +215,7 @@ TEST(ForceSweep, KeepsItsDigitsAtTinyStrain) {
         state.set_displacement(state.unions.union_of(m), {tiny * network.rest_position(m).x, 0, 0});
     }
     accumulate_forces(network, state, Measure::nothing);
-    // Stretched along x: each corner feels one edge, k1 tiny, and a diagonal, k3 (tiny/sqrt 3)/sqrt 3.
+    // Stretched along x, each corner feels an edge with k1 tiny and a diagonal with k3 (tiny/sqrt 3)/sqrt 3.
     const Vec3 force = state.force(state.unions.union_of(LocalMass{0}));
     EXPECT_NEAR(force.x / tiny, 0.2 + 0.3 / 3, 1e-12);
 }

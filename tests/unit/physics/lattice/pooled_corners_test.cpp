@@ -17,7 +17,7 @@
 namespace cracksim::physics {
 namespace {
 
-/// Each corner is either in the base layer, or where its union is in the pool.
+/// Checks that each corner is listed either as in the base layer or with its union's place in the pool.
 void expect_true_of_all_corners(const State& state) {
     const Lattice& lattice = state.lattice();
     for (std::size_t half = 0; half < lattice.halves(); ++half) {
@@ -45,7 +45,7 @@ void expect_true_of_all_corners(const State& state) {
     }
 }
 
-/// What is in the pool of each union by ascending masses.
+/// Checks that the corners of each union in the pool are listed by ascending masses.
 void expect_ascending(const State& state) {
     for (std::size_t half = 0; half < state.lattice().halves(); ++half) {
         if (state.pooled.index()[half] < 0) {

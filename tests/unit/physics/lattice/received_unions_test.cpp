@@ -14,7 +14,7 @@
 namespace cracksim::physics {
 namespace {
 
-/// All unions of received masses are there, each once, and with the first of its masses.
+/// Checks that each union of received masses is listed once, with the first of its masses.
 void expect_each_once(const Network& network, const Unions& unions, const ReceivedUnions& received) {
     std::map<LocalUnion, std::size_t> expected;
     for (std::size_t i = 0; i < network.received().size(); ++i) {

@@ -13,7 +13,8 @@
 namespace cracksim::physics {
 namespace {
 
-/// For each edge of the block and each pair of unions at its ends: the entities that have it, found by a look at all of them.
+/// The entities that have an edge, for each edge of the block and each pair of unions at its ends; found by a search of
+/// all entities.
 using Groups = std::map<std::tuple<VertexId, VertexId, LocalUnion, LocalUnion>, std::vector<std::pair<LocalEntity, int>>>;
 
 Groups groups_of(const Network& network, const State& state) {
@@ -43,7 +44,8 @@ void expect_smallest_carries_all(const Network& network, const State& state) {
     }
 }
 
-/// In how many half batches all represent just what entities inside an intact block do; nowhere else is this said.
+/// The number of half batches whose entities all represent the edges that they would represent inside an intact block.
+/// Checks that exactly these half batches have the flag `interior`.
 std::size_t halves_inside(const Network& network, const State& state) {
     const Lattice& lattice = state.lattice();
     std::size_t count = 0;
@@ -71,7 +73,7 @@ TEST(SharedEdges, KnowsWhereAllCarryWhatEntitiesInsideAnIntactBlockDo) {
     const Network network = block.network();
     State state{network, Scheme::cordis, 0.3};
     std::size_t before = halves_inside(network, state);
-    // But for the first and the last of the six halves of a row, and for the rows at the block's lower and upper faces.
+    // Of the six half batches of a row, all but the first and the last; no rows at the block's lower and upper faces.
     EXPECT_EQ(before, 4U * 3 * 2);
     for (std::uint64_t round = 0; before > 0; ++round) {
         ASSERT_LT(round, 30U);
@@ -88,7 +90,7 @@ TEST(SharedEdges, SaysOfNoHaloThatItIsInside) {
     block.cells = {24, 5, 4};
     const Network network = block.network_with_halo(6, 19);
     const State state{network, Scheme::cordis, 0.3};
-    // Of the owned entities of a row, two halves are complete.
+    // The owned entities of a row fill two half batches.
     EXPECT_EQ(halves_inside(network, state), 2U * 3 * 2);
 }
 

@@ -22,7 +22,7 @@ Network network_of(std::array<std::int64_t, 3> cells, Duplets duplets) {
     return block.network();
 }
 
-/// Local masses are global ones on one rank.
+/// The duplets as pairs of masses; on one rank, local mass ids equal global ones.
 std::set<Pair> duplets_of(const Network& network) {
     std::set<Pair> found;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interior_faces().size()); ++i) {
@@ -80,7 +80,8 @@ TEST(Network, TreeHoldsEachUnionTogetherWithTheFewestOfTheDuplets) {
     }
 }
 
-// Breadth first from mass 6: 15, 21, 34 over its faces; from 15 those not reached yet, 28 and 43; from 21, 49; from 28, 56.
+// Breadth first from mass 6: 15, 21, 34 over its faces; from 15 the masses not yet reached, 28 and 43; from 21, 49;
+// from 28, 56.
 TEST(Network, TreeOfAnInteriorVertexFollowsAscendingIds) {
     const Network network = network_of({2, 2, 2}, Duplets::tree);
     const std::vector<LocalMass> centre{LocalMass{6},  LocalMass{15}, LocalMass{21}, LocalMass{28},

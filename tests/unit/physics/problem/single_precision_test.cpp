@@ -39,7 +39,7 @@ TEST(SinglePrecision, NamesWhatItCannotHold) {
     EXPECT_EQ(unfit(heavy, 1), "the squared step over a mass, 1e-30 s2/kg");
 }
 
-/// A block without damping that swings, after some steps.
+/// The state of an oscillating block without damping after `steps` steps.
 State swinging(const Network& network, Precision precision, int steps) {
     const Initial initial{[](Vec3) { return Vec3{}; },
                           [](Vec3 at) {

@@ -37,7 +37,8 @@ TEST(AutomaticStep, KeepsMoreDistanceWithoutViscosity) {
     EXPECT_DOUBLE_EQ(automatic_step(undamped, {2.0, ""}), 1.0);
 }
 
-/// An entity folded onto a segment by corner parity: all odd corners move onto one end. It attains the bound.
+/// The growth of the motion of an entity that is folded onto a segment: corners of odd parity move onto one end. This
+/// mode attains the bound.
 double growth_of_folded_entity(double share_of_bound) {
     test::SerialBlock block;
     block.cells = {1, 1, 1};
@@ -65,7 +66,8 @@ double growth_of_folded_entity(double share_of_bound) {
 }
 
 TEST(StepBound, IsSharpForTheFoldedEntity) {
-    // Its diagonals are stretched from sqrt(3) to 1 as well, so only the growth over many steps tells the two sides apart.
+    // The diagonals are shortened from sqrt(3) to 1 as well, so only the growth over many steps distinguishes the two
+    // sides of the bound.
     EXPECT_GT(growth_of_folded_entity(1.3), 1e3 * growth_of_folded_entity(0.9));
 }
 

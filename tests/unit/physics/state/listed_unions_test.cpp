@@ -16,7 +16,7 @@
 namespace cracksim::physics {
 namespace {
 
-/// Half of the masses, in any order.
+/// Half of the masses, in random order.
 std::vector<LocalMass> drawn_masses(const Network& network, std::mt19937& draw) {
     std::vector<LocalMass> masses = test::all_masses(network);
     std::ranges::shuffle(masses, draw);

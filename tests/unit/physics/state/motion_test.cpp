@@ -98,7 +98,7 @@ TEST(Motion, TakesAPlaceInThePoolForAUnionOffTheBasePlaneOnce) {
     EXPECT_EQ(motion.get(local_union(v, 2), Quantity::increment), (Vec3{1, 2, 3}));
 }
 
-/// Unions in layers that differ from vertex to vertex, in an order that is not that of their vertices.
+/// Unions whose layers differ from vertex to vertex, in an order that differs from that of their vertices.
 std::vector<LocalUnion> scattered_unions(const Unions& unions) {
     std::vector<LocalUnion> found;
     const std::vector<LocalUnion> advanced = unions.advanced();
@@ -117,7 +117,8 @@ std::vector<std::int32_t> places_of(const Motion& motion, std::size_t row, std::
     return found;
 }
 
-/// The chains of the rows and sides hold each union in the pool once, in that of its own layer's side.
+/// Checks that the chains of the rows and sides contain each union in the pool once, in the chain of its row and of its
+/// layer's side.
 void expect_chained(const Motion& motion, const Lattice& lattice, const std::vector<LocalUnion>& opened) {
     std::size_t chained = 0;
     for (std::size_t row = 0; row < lattice.vertex_rows().size(); ++row) {

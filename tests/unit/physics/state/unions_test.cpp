@@ -10,7 +10,7 @@
 namespace cracksim::physics {
 namespace {
 
-/// LocalUnion and masses say the same of each other.
+/// Checks that the maps from masses to unions and from unions to masses agree.
 void expect_consistent(const Network& network, const Unions& unions) {
     std::set<std::int32_t> seen;
     std::vector<LocalMass> masses;

@@ -13,7 +13,7 @@ namespace {
 
 using GlobalComponents = IdArray<LocalEntity, EntityId>;
 
-/// Sewn faces, and how many entities were walked through.
+/// The sewn faces of a map; counts the entities that are visited.
 struct Links {
     void for_each_neighbour(LocalEntity e, const auto& visit) const {
         ++walked;
@@ -35,7 +35,7 @@ struct Links {
     mutable std::int64_t walked{0};
 };
 
-/// A map whose trees are kept up to date.
+/// A map and the spanning forest that is updated with it.
 struct Falling {
     explicit Falling(const Block& of)
         : block{of}, map{sample::whole(of)}, links{map}, trees{owned, links}, search{owned.size()} {
