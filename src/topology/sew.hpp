@@ -9,8 +9,4 @@ namespace cracksim::topology {
 /// Requires a sewn face whose other side is local.
 void unsew(GMap& map, LocalEntity entity, int face);
 
-/// Sews a face again to the face to which it was sewn at construction. Requires both faces free and the other side
-/// local.
-void sew(GMap& map, LocalEntity entity, int face);
-
 }  // namespace cracksim::topology

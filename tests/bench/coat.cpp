@@ -8,13 +8,12 @@
 #include <vector>
 
 #include "core/block.hpp"
-#include "geometry/fragments.hpp"
-#include "geometry/shared_unions.hpp"
 #include "partition/decomposition.hpp"
 #include "partition/session.hpp"
 #include "surface/coat.hpp"
 #include "tests/bench/sample_splits.hpp"
-#include "topology/components.hpp"
+#include "tests/support/serial_network.hpp"
+#include "tests/support/whole_labels.hpp"
 
 namespace cracksim::simulation {
 namespace {
@@ -44,12 +43,11 @@ std::vector<std::vector<LocalMass>> starting_unions(const Block& block) {
     return unions;
 }
 
-geometry::SharedUnions shared(const std::vector<std::vector<LocalMass>>& unions, const Block& block) {
-    geometry::SharedUnions shared_unions{static_cast<std::size_t>(block.mass_count())};
-    for (const std::vector<LocalMass>& masses : unions) {
-        shared_unions.set(masses);
-    }
-    return shared_unions;
+physics::Unions whole_unions(const Block& block) {
+    test::SerialBlock serial;
+    serial.cells = block.cells();
+    const physics::Network network = serial.network();
+    return {network, network.duplets()};
 }
 
 physics::SplitStream splits_of_coat(const physics::SplitStream& all, std::size_t coat) {
@@ -69,11 +67,11 @@ Block cube(std::int64_t side) { return Block{{side, side, side}, {1, 1, 1}, {}};
 void modify(benchmark::State& state, const partition::Communicator& comm, std::int64_t side, test::Place place) {
     const Block block = cube(side);
     const partition::Decomposition decomposition = on_one_rank(comm, block);
-    const auto unions = starting_unions(block);
+    const physics::Unions unions = whole_unions(block);
     const auto splits = test::sample_splits(block, place, coats * splits_a_coat, 0, 1);
     for ([[maybe_unused]] auto _ : state) {
         state.PauseTiming();
-        surface::Coat coat{comm, block, decomposition, shared(unions, block)};
+        surface::Coat coat{comm, block, decomposition, unions};
         state.ResumeTiming();
         for (std::size_t i = 0; i < coats; ++i) {
             coat.modify(splits_of_coat(splits, i));
@@ -88,13 +86,13 @@ void look_at_all(benchmark::State& state, const partition::Communicator& comm, s
     const Block block = cube(side);
     const partition::Decomposition decomposition = on_one_rank(comm, block);
     const auto unions = starting_unions(block);
-    const surface::Coat coat{comm, block, decomposition, shared(unions, block)};
+    const surface::Coat coat{comm, block, decomposition, whole_unions(block)};
     for ([[maybe_unused]] auto _ : state) {
         for (std::size_t i = 0; i < coats; ++i) {
             auto labels = decomposition.entities;
-            benchmark::DoNotOptimize(topology::lower_to_component(coat.map(), decomposition.owned.span(), labels));
+            benchmark::DoNotOptimize(test::lower_to_component(coat.map(), decomposition.owned.span(), labels));
             labels = decomposition.entities;
-            benchmark::DoNotOptimize(geometry::lower_to_fragment(unions, labels));
+            benchmark::DoNotOptimize(test::lower_to_fragment(unions, labels));
         }
     }
     state.counters["entities"] = static_cast<double>(block.entity_count());

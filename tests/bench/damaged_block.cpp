@@ -3,9 +3,9 @@
 #include <random>
 
 #include "core/block.hpp"
+#include "physics/fracture/split.hpp"
 #include "physics/lattice/advance.hpp"
 #include "physics/lattice/force_sweep.hpp"
-#include "physics/fracture/split.hpp"
 #include "physics/problem/stability.hpp"
 #include "tests/support/random_state.hpp"
 #include "tests/support/serial_network.hpp"
@@ -42,16 +42,16 @@ double step_of(const physics::Network& network, physics::Scheme scheme) {
 
 DamagedBlock::DamagedBlock(std::array<std::int64_t, 3> cells, physics::Scheme scheme, double share,
                            physics::Precision precision)
-    : network{network_of(cells)}, state{network, scheme, step_of(network, scheme), precision} {
+    : network{network_of(cells)}, body{network, scheme, step_of(network, scheme), precision} {
     constexpr double slow = 1e-6;
-    shake(state, slow, 1);
+    shake(body.state, slow, 1);
     physics::SplitStream splits;
-    physics::split(network, parting_duplets(network, state.lattice(), share, 2), state, splits);
-    physics::accumulate_forces(network, state, physics::Measure::nothing);
+    body.split(parting_duplets(network, share, 2), splits);
+    body.forces();
 }
 
-std::vector<LocalDuplet> parting_duplets(const physics::Network& network, const physics::Lattice& lattice, double share,
-                                         std::uint64_t seed) {
+std::vector<LocalDuplet> parting_duplets(const physics::Network& network, double share, std::uint64_t seed) {
+    const physics::Lattice& lattice = network.lattice();
     std::mt19937_64 random{seed};
     std::bernoulli_distribution parts{share};
     std::vector<int> axis_at(lattice.vertex_sites());
@@ -60,7 +60,7 @@ std::vector<LocalDuplet> parting_duplets(const physics::Network& network, const 
     }
     std::vector<LocalDuplet> found;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interior_faces().size()); ++i) {
-        const physics::InteriorFace& shared = network.interior_faces()[static_cast<std::size_t>(i)];
+        const physics::InteriorFace& shared = network.interior_faces()[i];
         for (int k = 0; k < physics::duplets_per_face; ++k) {
             const auto v = lattice.vertex(local_mass(shared.a, shared.corner_a(k)));
             if (share == 1 || axis_at[v.index()] == shared.face_a / 2) {
@@ -72,11 +72,12 @@ std::vector<LocalDuplet> parting_duplets(const physics::Network& network, const 
 }
 
 double flops_of_step(const DamagedBlock& block) {
-    const physics::State& state = block.state;
+    const physics::State& state = block.body.state;
+    const physics::LatticeCaches& caches = block.body.engine.caches();
     double flops = flops_of_entity * block.network.entity_count();
     for (LocalEntity e{0}; e.value() < block.network.entity_count(); ++e) {
         for (int i = 0; i < HexahedronPairs::count; ++i) {
-            if (state.shared_edges.multiplicity(state.unions, e, i) > 0) {
+            if (caches.shared_edges.multiplicity(state.unions, e, i) > 0) {
                 flops += i < HexahedronPairs::edges ? flops_of_edge : flops_of_diagonal;
             }
         }
@@ -87,14 +88,14 @@ double flops_of_step(const DamagedBlock& block) {
 }
 
 double bytes_of_step(const DamagedBlock& block) {
-    const physics::State& state = block.state;
+    const physics::State& state = block.body.state;
+    const physics::LatticeCaches& caches = block.body.engine.caches();
     // All of the 10 components (13 with ab2) are read and all but dt^2/M are written. memory_bytes also counts the
     // lists of the pool, which are small in comparison.
     const double components = state.scheme == physics::Scheme::ab2 ? 13 : 10;
     const double motion = static_cast<double>(state.motion.memory_bytes()) * (2 * components - 1) / components;
-    const std::size_t read = state.shared_edges.memory_bytes() + state.pooled.memory_bytes() +
-                             state.sensing.limits.memory_bytes() +
-                             state.sensing.exceeded.size() * sizeof(physics::EdgeBits);
+    const std::size_t read = caches.shared_edges.memory_bytes() + caches.pooled.memory_bytes() +
+                             caches.limits.memory_bytes() + caches.exceeded.size() * sizeof(physics::EdgeBits);
     return motion + static_cast<double>(read);
 }
 

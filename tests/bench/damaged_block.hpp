@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "physics/problem/network.hpp"
-#include "physics/state/state.hpp"
+#include "tests/support/body.hpp"
 
 namespace cracksim::test {
 
@@ -18,13 +18,12 @@ struct DamagedBlock {
                  physics::Precision precision = physics::Precision::binary64);
 
     physics::Network network;
-    physics::State state;
+    Body body;
 };
 
 /// The duplets whose inactivation splits a fraction `share` of the unions, chosen at random, by a grid plane; every
 /// duplet if share is 1.
-[[nodiscard]] std::vector<physics::LocalDuplet> parting_duplets(const physics::Network& network,
-                                                                const physics::Lattice& lattice, double share,
+[[nodiscard]] std::vector<physics::LocalDuplet> parting_duplets(const physics::Network& network, double share,
                                                                 std::uint64_t seed);
 
 /// The fewest additions and multiplications of a step; an FMA counts as two. Void places, edges that another entity

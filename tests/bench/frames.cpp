@@ -10,9 +10,9 @@
 
 #include "io/frame_writer.hpp"
 #include "partition/session.hpp"
-#include "surface/frame_meshes.hpp"
 #include "scene/scene_reader.hpp"
 #include "simulation/simulation.hpp"
+#include "surface/frame_meshes.hpp"
 #include "surface/surface_frames.hpp"
 
 namespace cracksim::simulation {
@@ -57,7 +57,8 @@ private:
     }
 
     void keep(const Simulation& s) {
-        const auto here = timed("kept 1: report", [&] { return surface::packed(reporter_.report(s.dynamics(), s.coat())); });
+        const auto here =
+            timed("kept 1: report", [&] { return surface::packed(reporter_.report(s.dynamics(), s.coat())); });
         const auto all = timed("kept 2: gather", [&] { return comm_.gather<std::byte>(here); });
         const bool root = comm_.is_root();
         const auto on_root = [&](const char* part, const auto& action) {
@@ -98,7 +99,7 @@ void measure(const partition::Communicator& comm, const std::string& file, const
     const scene::Scene scene = scene::read_scene(text.str(), file, {});
     std::filesystem::create_directories(directory / "frames");
     dynamics::Stopwatch stopwatch;
-    Simulation simulation{comm, scene, stopwatch};
+    Simulation simulation{comm, scene, scene::certify_step(scene), stopwatch};
     Measured measured{simulation, directory};
     simulation.run(measured);
     measured.tell();

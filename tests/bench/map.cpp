@@ -16,7 +16,7 @@
 #include "core/block.hpp"
 #include "geometry/free_faces.hpp"
 #include "tests/bench/cgal_map.hpp"
-#include "topology/components.hpp"
+#include "tests/support/whole_labels.hpp"
 #include "topology/construct.hpp"
 #include "topology/orbits.hpp"
 #include "topology/sew.hpp"
@@ -214,7 +214,7 @@ void label_components(benchmark::State& state) {
     const IdArray<LocalEntity, EntityId> ids{all_entities()};
     for ([[maybe_unused]] auto _ : state) {
         IdArray<LocalEntity, EntityId> labels = ids;
-        benchmark::DoNotOptimize(lower_to_component(opened_map(), owned, labels));
+        benchmark::DoNotOptimize(test::lower_to_component(opened_map(), owned, labels));
     }
 }
 

@@ -10,7 +10,8 @@
 
 #include "core/block.hpp"
 #include "tests/bench/sample_splits.hpp"
-#include "topology/components.hpp"
+#include "tests/support/sew.hpp"
+#include "tests/support/whole_labels.hpp"
 #include "topology/construct.hpp"
 #include "topology/modify.hpp"
 #include "topology/sew.hpp"
@@ -56,7 +57,7 @@ double time_once(GMap& map, const physics::SplitStream& splits, std::size_t& uns
     const Changes changes = modify(map, splits);
     const std::chrono::duration<double> seconds = Clock::now() - start;
     for (const UnsewnFace& face : changes.unsewn) {
-        sew(map, face.entity, face.face);
+        test::sew(map, face.entity, face.face);
     }
     unsewn = changes.unsewn.size();
     return seconds.count();
@@ -98,7 +99,7 @@ void measure_labels(benchmark::State& state, const Cube& cube) {
     for ([[maybe_unused]] auto _ : state) {
         IdArray<LocalEntity, EntityId> labels{cube.ids()};
         const auto start = Clock::now();
-        benchmark::DoNotOptimize(lower_to_component(cube.map, owned, labels));
+        benchmark::DoNotOptimize(test::lower_to_component(cube.map, owned, labels));
         state.SetIterationTime(std::chrono::duration<double>(Clock::now() - start).count());
     }
     report(state, cube, {0, 0, Place::whole_block, false}, 0);

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "physics/lattice/advance.hpp"
-#include "physics/lattice/force_sweep.hpp"
 #include "physics/fracture/sensors.hpp"
 #include "physics/fracture/split.hpp"
+#include "physics/lattice/advance.hpp"
+#include "physics/lattice/force_sweep.hpp"
 #include "tests/bench/damaged_block.hpp"
 #include "tests/bench/machine_limits.hpp"
 #include "tests/bench/row_reporter.hpp"
@@ -69,11 +69,12 @@ double nanoseconds_each(benchmark::State& run, std::size_t count, Action&& actio
 std::size_t entities_of(const DamagedBlock& block) { return static_cast<std::size_t>(block.network.entity_count()); }
 
 void report_rates(benchmark::State& run, const DamagedBlock& block, double nanoseconds_of_step) {
-    const MachineLimits::Triad& triad = limits().triad_of(block.state.memory_bytes());
+    const MachineLimits::Triad& triad =
+        limits().triad_of(block.body.state.memory_bytes() + block.body.engine.memory_bytes());
     const double gigaflops = flops_of_step(block) / nanoseconds_of_step;
     const double gigabytes = bytes_of_step(block) / nanoseconds_of_step;
     run.counters["gigaflops"] = gigaflops;
-    const bool single = block.state.motion.precision() == Precision::binary32;
+    const bool single = block.body.state.motion.precision() == Precision::binary32;
     run.counters["of_peak"] = gigaflops / (single ? limits().single_gigaflops : limits().double_gigaflops);
     run.counters["gigabytes"] = gigabytes;
     run.counters["of_triad"] = gigabytes / triad.gigabytes;
@@ -82,44 +83,43 @@ void report_rates(benchmark::State& run, const DamagedBlock& block, double nanos
 
 void measure_advance(benchmark::State& run, const Subject& subject) {
     DamagedBlock& block = subject->get();
-    const double each = nanoseconds_each(
-        run, entities_of(block), [&] { physics::advance(block.network, block.state, {}, physics::Measure::nothing); });
+    const double each =
+        nanoseconds_each(run, entities_of(block), [&] { benchmark::DoNotOptimize(block.body.advance()); });
     run.counters["value"] = each;
     report_rates(run, block, each * static_cast<double>(entities_of(block)));
 }
 
 /// Moves a hundredth of the vertices so far that an edge along x is stretched beyond the thresholds of its sensors; the
 /// stretch of the sensors, which are two edges long, stays below them.
-DamagedBlock alerted(const DamagedBlock& block) {
-    DamagedBlock alert = block;
+Body alerted(const DamagedBlock& block) {
+    Body alert = block.body;
     constexpr std::size_t every = 100;
     constexpr double moved = 0.03;
     const auto unions = alert.state.unions.advanced();
     for (std::size_t i = 0; i < unions.size(); i += every) {
         alert.state.set_displacement(unions[i], {moved, 0, 0});
     }
-    physics::accumulate_forces(alert.network, alert.state, physics::Measure::nothing);
+    alert.forces();
     return alert;
 }
 
 void measure_sensing(benchmark::State& run, const Subject& subject, bool alert) {
-    const DamagedBlock block = alert ? alerted(subject->get()) : subject->get();
-    physics::Sensors sensors{physics::Prefilter::on};
-    run.counters["value"] = nanoseconds_each(
-        run, entities_of(block), [&] { benchmark::DoNotOptimize(sensors.sense(block.network, block.state)); });
+    const DamagedBlock& block = subject->get();
+    Body body = alert ? alerted(block) : block.body;
+    run.counters["value"] = nanoseconds_each(run, entities_of(block), [&] { benchmark::DoNotOptimize(body.sense()); });
     run.SetLabel("ns/entity");
 }
 
 void measure_split(benchmark::State& run, const Subject& subject, double share) {
     const DamagedBlock& block = subject->get();
-    const auto triggered = parting_duplets(block.network, block.state.lattice(), share, 3);
+    const auto triggered = parting_duplets(block.network, share, 3);
     double seconds = 0;
     std::size_t count = 0;
     for ([[maybe_unused]] auto _ : run) {
-        physics::State state = block.state;
+        Body body = block.body;
         physics::SplitStream splits;
         const auto start = Clock::now();
-        count += physics::split(block.network, triggered, state, splits);
+        count += body.split(triggered, splits);
         seconds += seconds_since(start);
     }
     run.counters["value"] = 1e9 * seconds / static_cast<double>(count);
@@ -143,11 +143,11 @@ std::vector<LocalMass> masses_at_cut(const DamagedBlock& block) {
 
 void measure_packing(benchmark::State& run, const Subject& subject) {
     const DamagedBlock& block = subject->get();
-    physics::ListedUnions cut{block.state.unions, masses_at_cut(block)};
+    physics::ListedUnions cut{block.body.state.unions, masses_at_cut(block)};
     std::vector<double> found(3 * cut.entries().size());
     run.counters["value"] = nanoseconds_each(run, cut.entries().size(), [&] {
-        benchmark::DoNotOptimize(cut.update(block.state.unions));
-        physics::find_next_increments(block.network, block.state, cut.entries(), found);
+        benchmark::DoNotOptimize(cut.update(block.body.state.unions));
+        block.body.engine.next_increments(block.body.state, cut.entries(), found);
         benchmark::DoNotOptimize(found.data());
     });
     run.SetLabel("ns/union");

@@ -130,7 +130,7 @@ private:
 /// Runs a scene and compares its map with the oracle's; returns the number of splits.
 std::int64_t run(const scene::Scene& scene, int every, const std::string& what) {
     dynamics::Stopwatch stopwatch;
-    Simulation simulation{world(), scene, stopwatch};
+    Simulation simulation{world(), scene, scene::certify_step(scene), stopwatch};
     Oracle oracle{scene.block, every};
     simulation.run(oracle);
     oracle.compare(simulation);

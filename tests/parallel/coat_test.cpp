@@ -9,13 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "geometry/fragments.hpp"
 #include "partition/communicator.hpp"
 #include "scene/scene_reader.hpp"
 #include "simulation/simulation.hpp"
 #include "support/drawn_scene.hpp"
 #include "support/quick.hpp"
-#include "topology/components.hpp"
+#include "support/whole_labels.hpp"
 
 namespace cracksim::simulation {
 namespace {
@@ -30,8 +29,12 @@ const partition::Communicator& world() {
 /// The masses of each union, found by the union's smallest mass.
 class Unions {
 public:
-    explicit Unions(const physics::Network& network) {
-        network.for_each_union([&](std::span<const LocalMass> masses) { add(masses); });
+    explicit Unions(const physics::Unions& unions) {
+        std::vector<LocalMass> masses;
+        for (const physics::LocalUnion s : unions.advanced()) {
+            unions.masses(s, masses);
+            add(masses);
+        }
     }
 
     void take(const physics::SplitStream& splits) {
@@ -69,18 +72,18 @@ LabelArray whole_labels(const Simulation& s, const partition::Halo& halo, auto&&
 class WholeBlock : public Observer {
 public:
     explicit WholeBlock(const Simulation& s)
-        : halo_{world(), s.dynamics().decomposition()}, unions_{s.dynamics().network()} {}
+        : halo_{world(), s.dynamics().decomposition()}, unions_{s.dynamics().state().unions} {}
 
     void coat(const Simulation& s, const FractureEvents& update) override {
         unions_.take(update.splits);
         masks_are_their_owners(s);
         const auto& owned = s.dynamics().decomposition().owned;
         const LabelArray components = whole_labels(s, halo_, [&](LabelArray& labels) {
-            return topology::lower_to_component(s.coat().map(), owned.span(), labels);
+            return test::lower_to_component(s.coat().map(), owned.span(), labels);
         });
         const auto unions = unions_.all();
         const LabelArray fragments =
-            whole_labels(s, halo_, [&](LabelArray& labels) { return geometry::lower_to_fragment(unions, labels); });
+            whole_labels(s, halo_, [&](LabelArray& labels) { return test::lower_to_fragment(unions, labels); });
         labels_agree(s, components, &surface::Coat::component, s.coat().component_count());
         labels_agree(s, fragments, &surface::Coat::fragment, s.coat().fragment_count());
         EXPECT_EQ(s.coat().crack_area(), crack_area(s));
@@ -139,7 +142,7 @@ private:
 std::int64_t most_components(const std::string& text, const std::vector<std::string>& settings) {
     const scene::Scene scene = scene::read_scene(text, "coat.yaml", settings);
     dynamics::Stopwatch stopwatch;
-    Simulation simulation{world(), scene, stopwatch};
+    Simulation simulation{world(), scene, scene::certify_step(scene), stopwatch};
     WholeBlock reference{simulation};
     simulation.run(reference);
     return reference.most_components;

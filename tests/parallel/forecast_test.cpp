@@ -4,9 +4,9 @@
 #include <array>
 #include <string>
 
-#include "partition/communicator.hpp"
 #include "forecast/memory_forecast.hpp"
 #include "forecast/rank_counts.hpp"
+#include "partition/communicator.hpp"
 #include "scene/scene_reader.hpp"
 #include "simulation/simulation.hpp"
 
@@ -19,11 +19,11 @@ const partition::Communicator& world() {
 }
 
 scene::Scene scene_of(const std::string& cells, const std::string& partition, const std::string& scheme,
-               const std::string& sensors = "threshold: 0.02") {
-    return scene::read_scene("block: {cells: " + cells + ", edge: 0.01}\nmaterial: {young: 2.0e4, density: 1000}\nsensors: {" +
-                          sensors + "}\ntime: {end: 0.01, scheme: " + scheme + "}\npartition: {kind: " + partition +
-                          "}\n",
-                      "forecast.yaml", {});
+                      const std::string& sensors = "threshold: 0.02") {
+    return scene::read_scene("block: {cells: " + cells +
+                                 ", edge: 0.01}\nmaterial: {young: 2.0e4, density: 1000}\nsensors: {" + sensors +
+                                 "}\ntime: {end: 0.01, scheme: " + scheme + "}\npartition: {kind: " + partition + "}\n",
+                             "forecast.yaml", {});
 }
 
 std::array<std::int64_t, 10> counts(const forecast::RankCounts& l) {
@@ -34,18 +34,20 @@ std::array<std::int64_t, 10> counts(const forecast::RankCounts& l) {
 TEST(EstimatedLoads, AreExactForSlabsOfWholeLayers) {
     const scene::Scene scene = scene_of("[6, 5, 12]", "slab", "cordis");
     dynamics::Stopwatch stopwatch;
-    const Simulation simulation{world(), scene, stopwatch};
+    const Simulation simulation{world(), scene, scene::certify_step(scene), stopwatch};
     const auto estimated = forecast::estimated_rank_counts(scene.block, scene.partition, world().size());
-    EXPECT_EQ(counts(forecast::count_rank(simulation.dynamics(), simulation.coat())), counts(estimated[world().rank().index()]));
+    EXPECT_EQ(counts(forecast::count_rank(simulation.dynamics(), simulation.coat())),
+              counts(estimated[world().rank().index()]));
 }
 
 TEST(EstimatedLoads, AreWithinAQuarterOfMetisParts) {
     const scene::Scene scene = scene_of("[30, 30, 10]", "metis", "cordis");
     dynamics::Stopwatch stopwatch;
-    const Simulation simulation{world(), scene, stopwatch};
+    const Simulation simulation{world(), scene, scene::certify_step(scene), stopwatch};
     const forecast::RankCounts found = forecast::count_rank(simulation.dynamics(), simulation.coat());
     forecast::RankCounts estimated;
-    for (const forecast::RankCounts& counts : forecast::estimated_rank_counts(scene.block, scene.partition, world().size())) {
+    for (const forecast::RankCounts& counts :
+         forecast::estimated_rank_counts(scene.block, scene.partition, world().size())) {
         estimated.local += counts.local;
         estimated.sent += counts.sent;
         estimated.sent_unions += counts.sent_unions;
@@ -65,10 +67,9 @@ TEST(ModelBytes, AreWhatNetworkStateAndMapHold) {
     for (const auto& [scheme, sensors] : cases) {
         const scene::Scene scene = scene_of("[20, 16, 12]", "metis", scheme, sensors);
         dynamics::Stopwatch stopwatch;
-        const Simulation simulation{world(), scene, stopwatch};
+        const Simulation simulation{world(), scene, scene::certify_step(scene), stopwatch};
         const dynamics::Dynamics& dynamics = simulation.dynamics();
-        const auto held = static_cast<double>(dynamics.network().memory_bytes() + dynamics.state().memory_bytes() +
-                                              simulation.coat().memory_bytes());
+        const auto held = static_cast<double>(dynamics.memory_bytes() + simulation.coat().memory_bytes());
         const double model = forecast::model_bytes(scene, forecast::count_rank(dynamics, simulation.coat()), 0);
         // The capacity of lists that grew exceeds their size; the process never touches the pages of the difference.
         EXPECT_LT(model, 1.04 * held);

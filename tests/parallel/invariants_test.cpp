@@ -165,7 +165,7 @@ TEST_P(CrackingBlock, KeepsAllInvariantsAfterEveryCoat) {
     const auto [partition, scheme] = GetParam();
     const scene::Scene scene = scene::read_scene(scene_text(partition, scheme, 3), "invariants.yaml", {});
     dynamics::Stopwatch stopwatch;
-    Simulation simulation{world(), scene, stopwatch};
+    Simulation simulation{world(), scene, scene::certify_step(scene), stopwatch};
     simulation.enable_audit();
     Invariants invariants;
     simulation.run(invariants);

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/hash.hpp"
-#include "physics/lattice/force_sweep.hpp"
 #include "physics/fracture/split.hpp"
+#include "physics/lattice/lattice_engine.hpp"
 #include "scene/problem.hpp"
 #include "scene/scene_reader.hpp"
 #include "support/network_members.hpp"
@@ -26,27 +26,29 @@ const partition::Communicator& world() {
 struct Part {
     explicit Part(const std::string& partition)
         : scene{scene::read_scene("block: {cells: [9, 6, 5], edge: 0.01}\nmaterial: {young: 2.0e4, density: 1000}\n"
-                           "sensors: {threshold: 0.02}\ntime: {end: 0.01}\npartition: {kind: " +
-                               partition + "}\n",
-                           "exchange.yaml", {})},
+                                  "sensors: {threshold: 0.02}\ntime: {end: 0.01}\npartition: {kind: " +
+                                      partition + "}\n",
+                                  "exchange.yaml", {})},
           decomposition{partition::decompose(world(), scene.block, scene::partitioner(scene))},
           network{scene::build_network(world(), scene, decomposition)},
-          state{network, physics::Scheme::cordis, 0.001} {}
+          state{network, physics::Scheme::cordis, 0.001},
+          engine{network, state} {}
 
     scene::Scene scene;
     partition::Decomposition decomposition;
     physics::Network network;
     physics::State state;
+    physics::LatticeEngine engine;
 };
 
 /// Random duplets that depend only on global mass ids, so that all ranks split the same unions.
 std::vector<physics::LocalDuplet> drawn_duplets(const Part& part, std::uint64_t round) {
     std::vector<physics::LocalDuplet> drawn;
     for (const physics::LocalDuplet d : test::all_duplets(part.network)) {
-        const auto [a, b] = physics::masses_of(part.network, d);
+        const auto [a, b] = part.network.masses_of(d);
         const auto id =
             static_cast<std::uint64_t>(part.network.mass(a).value() * 100000 + part.network.mass(b).value());
-        if (mix(round, id) % 8 == 0 && part.state.sensing.is_active(d)) {
+        if (mix(round, id) % 8 == 0 && part.state.active.contains(d)) {
             drawn.push_back(d);
         }
     }
@@ -73,7 +75,7 @@ std::map<MassId, Vec3> next_increments_of_all(const Part& part) {
         if (part.network.owned(entity_of(m))) {
             const physics::ListedUnions alone{part.state.unions, {m}};
             std::vector<double> next(3);
-            physics::find_next_increments(part.network, part.state, alone.entries(), next);
+            part.engine.next_increments(part.state, alone.entries(), next);
             told.push_back({part.network.mass(m), {next[0], next[1], next[2]}});
         }
     }
@@ -91,12 +93,13 @@ TEST(MotionExchange, BringsTheOwnersIncrementsAsUnionsFallApart) {
         dynamics::Stopwatch stopwatch;
         physics::SplitStream splits;
         for (std::uint64_t round = 0; round < 8; ++round) {
-            physics::split(part.network, drawn_duplets(part, round), part.state, splits);
+            physics::split(part.network, drawn_duplets(part, round), part.state, part.engine, splits);
             move(part.network, part.state);
-            const std::span<const Vec3> received = exchange.next_increments(part.network, part.state, stopwatch);
+            const std::span<const Vec3> received =
+                exchange.next_increments(part.network, part.state, part.engine, stopwatch);
             const std::map<MassId, Vec3> expected = next_increments_of_all(part);
             for (std::size_t row = 0; row < part.state.lattice().vertex_rows().size(); ++row) {
-                for (const auto& [id, mass] : part.state.received.in_row(row)) {
+                for (const auto& [id, mass] : part.engine.caches().received.in_row(row)) {
                     EXPECT_EQ(received[mass], expected.at(part.network.mass(part.network.received()[mass])));
                 }
             }
@@ -114,7 +117,9 @@ TEST(MotionExchange, EndsWhereAnOwnerKnowsOtherLabels) {
     }
     dynamics::MotionExchange exchange{world(), part.network, part.decomposition, part.state};
     dynamics::Stopwatch stopwatch;
-    const auto step = [&] { static_cast<void>(exchange.next_increments(part.network, part.state, stopwatch)); };
+    const auto step = [&] {
+        static_cast<void>(exchange.next_increments(part.network, part.state, part.engine, stopwatch));
+    };
     if (is_wrong_here) {
         EXPECT_THROW(step(), std::logic_error);
     } else {

@@ -9,11 +9,11 @@
 
 #include "io/distributed_mesh.hpp"
 #include "partition/communicator.hpp"
-#include "surface/frame_meshes.hpp"
 #include "scene/scene_reader.hpp"
 #include "simulation/simulation.hpp"
 #include "support/drawn_scene.hpp"
 #include "support/quick.hpp"
+#include "surface/frame_meshes.hpp"
 
 namespace cracksim::simulation {
 namespace {
@@ -50,7 +50,8 @@ public:
 
 private:
     static geometry::Mesh made_anew(const Simulation& s, surface::Faces faces) {
-        const geometry::Mesh mesh = surface::surface_mesh(world(), s.dynamics(), s.coat(), s.dynamics().evolution(), faces);
+        const geometry::Mesh mesh =
+            surface::surface_mesh(world(), s.dynamics(), s.coat(), s.dynamics().evolution(), faces);
         return io::gathered(world(), mesh, io::agreed_layout(world(), mesh));
     }
     static void are_equal(const geometry::Mesh& found, const geometry::Mesh& expected) {
@@ -76,7 +77,7 @@ std::int64_t crack_faces(const std::string& partition, int coats_a_frame) {
         const std::vector<std::string> settings{"partition.kind=" + partition, "output.rate=1e9"};
         const scene::Scene scene = scene::read_scene(test::draw_scene(seed).text, "surface.yaml", settings);
         dynamics::Stopwatch stopwatch;
-        Simulation simulation{world(), scene, stopwatch};
+        Simulation simulation{world(), scene, scene::certify_step(scene), stopwatch};
         BothWays frames{simulation, coats_a_frame};
         simulation.run(frames);
         all += frames.most_crack_faces;

@@ -36,7 +36,7 @@ std::vector<MassMotion> owned_motions(const dynamics::Dynamics& dynamics) {
 GatheredRun run_gathered(const partition::Communicator& comm, const std::string& scene_text) {
     const scene::Scene scene = scene::read_scene(scene_text, "drawn.yaml", {});
     dynamics::Stopwatch stopwatch;
-    simulation::Simulation simulation{comm, scene, stopwatch};
+    simulation::Simulation simulation{comm, scene, scene::certify_step(scene), stopwatch};
     EventCollector collector;
     simulation.run(collector);
     GatheredRun run{simulation.certified().step, simulation.certified().steps, simulation.totals().unions,

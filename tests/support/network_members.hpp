@@ -25,7 +25,7 @@ namespace cracksim::test {
                                                                      std::uint64_t seed) {
     std::vector<physics::LocalDuplet> drawn;
     for (const physics::LocalDuplet d : all_duplets(network)) {
-        if (state.sensing.is_active(d) && mix(seed, static_cast<std::uint64_t>(d.value())) % one_in == 0) {
+        if (state.active.contains(d) && mix(seed, static_cast<std::uint64_t>(d.value())) % one_in == 0) {
             drawn.push_back(d);
         }
     }

@@ -20,6 +20,7 @@ struct SerialBlock {
     physics::DupletKind duplets{physics::DupletKind::corners};
     physics::Thresholds thresholds{[](Vec3) { return 0.02; }, std::nullopt};
     std::vector<physics::Support> supports{};
+    std::vector<physics::Notch> notches{};
 
     [[nodiscard]] Block block() const { return {cells, edge, {0, 0, 0}}; }
     [[nodiscard]] physics::EntityModel model() const { return {edge, corner_mass, edges, diagonals}; }
@@ -33,13 +34,14 @@ struct SerialBlock {
             const std::int64_t x = e.value() % cells[0];
             owned.push_back(first <= x && x < last ? 1 : 0);
         }
-        return {block(),
-                model(),
-                IdArray<LocalEntity, EntityId>{std::move(ids)},
-                IdArray<LocalEntity, std::uint8_t>{std::move(owned)},
-                duplets,
-                thresholds,
-                supports};
+        return physics::Network{{.block = block(),
+                                 .model = model(),
+                                 .entities = IdArray<LocalEntity, EntityId>{std::move(ids)},
+                                 .owned = IdArray<LocalEntity, std::uint8_t>{std::move(owned)},
+                                 .duplets = duplets,
+                                 .thresholds = thresholds,
+                                 .supports = supports,
+                                 .notches = notches}};
     }
 };
 

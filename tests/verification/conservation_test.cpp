@@ -6,11 +6,13 @@
 #include <functional>
 #include <iostream>
 
-#include "physics/lattice/advance.hpp"
-#include "physics/state/kinetic_energy.hpp"
-#include "physics/lattice/force_sweep.hpp"
+#include "dynamics/energy_book.hpp"
 #include "physics/fracture/sensors.hpp"
 #include "physics/fracture/split.hpp"
+#include "physics/lattice/advance.hpp"
+#include "physics/lattice/force_sweep.hpp"
+#include "physics/state/kinetic_energy.hpp"
+#include "support/body.hpp"
 #include "support/linear_invariant.hpp"
 #include "support/serial_network.hpp"
 
@@ -20,17 +22,19 @@ namespace {
 /// Runs a block from an initial velocity and calls after(network, state) after the splits of each step. Returns the
 /// number of splits.
 std::size_t run(const test::SerialBlock& block, Scheme scheme, const std::function<Vec3(Vec3)>& velocity,
-                double step_size, double end, const std::function<void(const Network&, const State&)>& after) {
+                double step_size, double end,
+                const std::function<void(const test::Body&, const dynamics::EnergyBook&)>& after) {
     const Network network = block.network();
-    State state{network, scheme, step_size};
-    start(network, {[](Vec3) { return Vec3{}; }, velocity}, state);
+    test::Body body{network, scheme, step_size};
+    body.start({[](Vec3) { return Vec3{}; }, velocity});
     std::size_t splits = 0;
-    accumulate_forces(network, state, Measure::elastic_energy);
+    dynamics::EnergyBook book;
+    book.begin(body.forces(Measure::elastic_energy), Measure::elastic_energy);
     for (double t = 0; t < end; t += step_size) {
         SplitStream stream;
-        splits += split(network, Sensors{Prefilter::on}.sense(network, state), state, stream);
-        after(network, state);
-        advance(network, state, {}, Measure::elastic_energy);
+        splits += body.split(body.sense(Prefilter::on), stream);
+        after(body, book);
+        book.advance(body.advance(Measure::elastic_energy), Measure::elastic_energy);
     }
     return splits;
 }
@@ -74,10 +78,10 @@ TEST(Momentum, AndAngularMomentumStayConstantThroughSplits) {
     for (const Scheme scheme : {Scheme::cordis, Scheme::ab2}) {
         std::array<Vec3, 2> first{};
         double drift = 0;
-        const auto watch = [&](const Network& network, const State& state) {
-            const auto now = momenta(network, state);
-            first = state.step == 0 ? now : first;
-            const double scale = total_mass(network) * rate * 6;
+        const auto watch = [&](const test::Body& body, const dynamics::EnergyBook&) {
+            const auto now = momenta(*body.network, body.state);
+            first = body.state.step == 0 ? now : first;
+            const double scale = total_mass(*body.network) * rate * 6;
             drift = std::max({drift, norm(now[0] - first[0]) / scale, norm(now[1] - first[1]) / (scale * 12)});
         };
         const std::size_t splits = run(cracking_block(0.03, 0.2), scheme, expansion(rate), 0.3, 60, watch);
@@ -96,8 +100,8 @@ TEST(LinearInvariant, NeverGrowsThroughSplitsAtTinyStrain) {
         double first = 0;
         double growth = 0;
         const std::size_t splits = run(cracking_block(1.5 * scale, beta), Scheme::cordis, expansion(scale), 0.4, 100,
-                                       [&](const Network& network, const State& state) {
-                                           const double now = test::linear_invariant(network, state);
+                                       [&](const test::Body& body, const dynamics::EnergyBook&) {
+                                           const double now = test::linear_invariant(*body.network, body.state);
                                            first = first == 0 ? now : first;
                                            lowest = std::min(lowest, now);
                                            growth = std::max(growth, (now - lowest) / first);
@@ -115,14 +119,15 @@ TEST(Dissipation, StartsAtZeroAndClosesTheBalanceToSecondOrder) {
         test::SerialBlock block = cracking_block(std::numeric_limits<double>::infinity(), 0.2);
         double first = 0;
         double worst = 0;
-        run(block, Scheme::ab2, expansion(1e-3), step_size, 20, [&](const Network& network, const State& state) {
-            const double energy = kinetic_energy(network, state) + state.elastic;
-            if (state.step == 0) {
-                first = energy;
-                EXPECT_EQ(state.dissipated, 0);
-            }
-            worst = std::max(worst, std::abs(energy + state.dissipated - first) / first);
-        });
+        run(block, Scheme::ab2, expansion(1e-3), step_size, 20,
+            [&](const test::Body& body, const dynamics::EnergyBook& book) {
+                const double energy = kinetic_energy(*body.network, body.state) + book.elastic();
+                if (body.state.step == 0) {
+                    first = energy;
+                    EXPECT_EQ(book.dissipated(), 0);
+                }
+                worst = std::max(worst, std::abs(energy + book.dissipated() - first) / first);
+            });
         return worst;
     };
     const double coarse = imbalance(0.1);
@@ -137,8 +142,9 @@ TEST(Energy, OfAnUndampedBlockOscillatesInABandOfSecondOrder) {
         double low = std::numeric_limits<double>::infinity();
         double high = 0;
         const std::size_t splits = run(cracking_block(0.01, 0), Scheme::cordis, expansion(0.01), step_size, 30,
-                                       [&](const Network& network, const State& state) {
-                                           const double energy = kinetic_energy(network, state) + state.elastic;
+                                       [&](const test::Body& body, const dynamics::EnergyBook& book) {
+                                           const double energy =
+                                               kinetic_energy(*body.network, body.state) + book.elastic();
                                            low = std::min(low, energy);
                                            high = std::max(high, energy);
                                        });

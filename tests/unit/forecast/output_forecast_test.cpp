@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/counts.hpp"
 #include "scene/scene_reader.hpp"
 
 namespace cracksim::forecast {
@@ -14,7 +15,7 @@ OutputForecast forecast(const std::vector<std::string>& settings) {
         "sensors: {threshold: 0.02}\n"
         "time: {end: 1, step: 1e-3}\n",
         "a.yaml", settings);
-    return forecast_output(scene, scene::certify_step(scene));
+    return forecast_output(scene, scene::certify_step(scene), scene::count_without_notches(scene));
 }
 
 TEST(OutputForecast, CountsTheTimesOfTheRatesWithTheFirstAndTheLast) {

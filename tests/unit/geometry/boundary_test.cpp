@@ -6,9 +6,9 @@
 
 #include "geometry/embedding.hpp"
 #include "geometry/measures.hpp"
+#include "support/whole_labels.hpp"
 #include "tests/unit/geometry/sample_evolutions.hpp"
 #include "tests/unit/topology/sample_blocks.hpp"
-#include "topology/components.hpp"
 
 namespace cracksim::geometry {
 namespace {
@@ -29,7 +29,7 @@ struct Sample {
     }
     void find_surface() {
         const std::vector<std::uint8_t> owned(components.size(), 1);
-        topology::lower_to_component(map, owned, components);
+        test::lower_to_component(map, owned, components);
         faces = free_faces(map, owned);
     }
     [[nodiscard]] std::vector<BoundaryMeasure> measure() const {

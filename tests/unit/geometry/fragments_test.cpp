@@ -1,4 +1,4 @@
-#include "geometry/fragments.hpp"
+#include "support/whole_labels.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ std::vector<std::vector<LocalMass>> groups(const sample::RandomUnions& unions) {
 TEST(Fragments, AnIntactBlockIsOne) {
     const Block block = sample::block(4, 3, 3);
     GlobalComponents labels{sample::all_entities(block)};
-    EXPECT_TRUE(lower_to_fragment(groups(sample::RandomUnions{block}), labels));
+    EXPECT_TRUE(test::lower_to_fragment(groups(sample::RandomUnions{block}), labels));
     EXPECT_EQ(std::count(labels.begin(), labels.end(), EntityId{0}), block.entity_count());
 }
 
@@ -52,9 +52,9 @@ TEST(Fragments, EntitiesAreTogetherExactlyWhenAChainOfSharedUnionsJoinsThem) {
             }
         }
         GlobalComponents labels{sample::all_entities(block)};
-        lower_to_fragment(groups(unions), labels);
+        test::lower_to_fragment(groups(unions), labels);
         EXPECT_EQ(std::vector(labels.begin(), labels.end()), std::vector(expected.begin(), expected.end()));
-        EXPECT_FALSE(lower_to_fragment(groups(unions), labels));
+        EXPECT_FALSE(test::lower_to_fragment(groups(unions), labels));
     }
 }
 
@@ -65,8 +65,8 @@ TEST(Fragments, TwoComponentsThatHangOnAHingeAreOne) {
     GlobalComponents fragments{std::vector{EntityId{0}, EntityId{1}}};
     GlobalComponents components = fragments;
     const std::vector<std::uint8_t> owned{1, 1};
-    EXPECT_TRUE(lower_to_fragment(hinge, fragments));
-    EXPECT_FALSE(topology::lower_to_component(map, owned, components));
+    EXPECT_TRUE(test::lower_to_fragment(hinge, fragments));
+    EXPECT_FALSE(test::lower_to_component(map, owned, components));
     EXPECT_EQ(fragments[LocalEntity{1}], EntityId{0});
     EXPECT_EQ(components[LocalEntity{1}], EntityId{1});
 }

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "support/whole_labels.hpp"
 #include "tests/unit/geometry/sample_evolutions.hpp"
 #include "tests/unit/topology/sample_blocks.hpp"
-#include "topology/components.hpp"
 
 namespace cracksim::geometry {
 namespace {
@@ -21,7 +21,7 @@ TEST(LabelSizes, AddUpToTheBlock) {
     topology::sample::unsew_randomly(map, random, 70);
     IdArray<LocalEntity, EntityId> labels{topology::sample::all_entities(block)};
     const std::vector<std::uint8_t> owned(labels.size(), 1);
-    topology::lower_to_component(map, owned, labels);
+    test::lower_to_component(map, owned, labels);
     const auto sizes = label_sizes(labels, owned, block.volume() / static_cast<double>(block.entity_count()));
     ASSERT_GT(sizes.size(), 1U);
     std::int64_t entities = 0;

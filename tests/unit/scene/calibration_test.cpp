@@ -13,11 +13,8 @@ constexpr Material material{.young = 3e6, .density = 1200, .damping = 0.25, .fra
 constexpr double edge = 0.02;
 
 /// C_ijkl (Pa) of a cube with the network's interactions: (1/V) sum k L^2 n_i n_j n_k n_l.
-double interaction(const Network& network, int i, int j, int k, int l) {
-    const physics::EntityModel model{{edge, edge, edge},
-                                     network.mass,
-                                     {network.edge.stiffness, network.edge.viscosity},
-                                     {network.diagonal.stiffness, network.diagonal.viscosity}};
+double interaction(const NetworkSettings& network, int i, int j, int k, int l) {
+    const physics::EntityModel model{{edge, edge, edge}, network.mass, network.edge, network.diagonal};
     double sum = 0;
     for (std::size_t s = 0; s < model.rest.size(); ++s) {
         const Vec3 n = (1 / model.rest_length[s]) * model.rest[s];
@@ -27,7 +24,7 @@ double interaction(const Network& network, int i, int j, int k, int l) {
 }
 
 TEST(CalibratedNetwork, IsIsotropicWithPoissonRatioOneQuarter) {
-    const Network network = calibrated_network(material, edge);
+    const NetworkSettings network = calibrated_network(material, edge);
     const double lame = 0.4 * material.young;
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
@@ -43,7 +40,7 @@ TEST(CalibratedNetwork, CarriesTheMassOfTheCube) {
 }
 
 TEST(CalibratedNetwork, DampsEdgesAndDiagonalsInProportionToTheirStiffness) {
-    const Network network = calibrated_network(material, edge);
+    const NetworkSettings network = calibrated_network(material, edge);
     const double unit = edge / std::sqrt(material.young / material.density);
     EXPECT_DOUBLE_EQ(network.edge.viscosity / network.edge.stiffness, 0.25 * unit);
     EXPECT_DOUBLE_EQ(network.diagonal.viscosity / network.diagonal.stiffness, 0.25 * unit);

@@ -85,6 +85,7 @@ TEST(Resolved, WritesEveryDefault) {
               "#   mass: 0.03125\n"
               "#   edge: {stiffness: 0.8, viscosity: 0.04000000000000001}\n"
               "#   diagonal: {stiffness: 1.2, viscosity: 0.06}\n"
+              "notches: []\n"
               "duplets: corners\n"
               "sensors:\n"
               "  kind: normal\n"

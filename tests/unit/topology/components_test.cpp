@@ -1,4 +1,4 @@
-#include "topology/components.hpp"
+#include "support/whole_labels.hpp"
 
 #include <gtest/gtest.h>
 
@@ -42,12 +42,12 @@ TEST(Components, AreWhatAFloodOverSewnFacesReaches) {
         sample::unsew_randomly(map, random, (seed - 51) * 30);
         GlobalComponents labels{sample::all_entities(block)};
         const std::vector<std::uint8_t> owned(labels.size(), 1);
-        EXPECT_EQ(lower_to_component(map, owned, labels), seed != 54 || sample::sewn_faces(map) > 0);
+        EXPECT_EQ(test::lower_to_component(map, owned, labels), seed != 54 || sample::sewn_faces(map) > 0);
         EXPECT_EQ(std::vector(labels.begin(), labels.end()), [&] {
             const GlobalComponents expected = flooded(map);
             return std::vector(expected.begin(), expected.end());
         }());
-        EXPECT_FALSE(lower_to_component(map, owned, labels));
+        EXPECT_FALSE(test::lower_to_component(map, owned, labels));
     }
 }
 
@@ -73,7 +73,7 @@ TEST(Components, LabelsReachTheSmallestEntityAcrossRanks) {
         while (changed) {
             changed = false;
             for (std::size_t r = 0; r < ranks.size(); ++r) {
-                changed = lower_to_component(ranks[r].map, ranks[r].owned, labels[r]) || changed;
+                changed = test::lower_to_component(ranks[r].map, ranks[r].owned, labels[r]) || changed;
             }
             IdArray<EntityId, EntityId> lowest(static_cast<std::size_t>(block.entity_count()),
                                                EntityId{block.entity_count()});
@@ -103,7 +103,7 @@ TEST(Components, FacesBetweenTwoHaloEntitiesJoinNothing) {
     const GMap map = sample::whole(sample::block(4, 1, 1));
     const std::vector<std::uint8_t> owned{1, 0, 0, 1};
     GlobalComponents labels{sample::all_entities(sample::block(4, 1, 1))};
-    EXPECT_TRUE(lower_to_component(map, owned, labels));
+    EXPECT_TRUE(test::lower_to_component(map, owned, labels));
     EXPECT_EQ(std::vector(labels.begin(), labels.end()),
               (std::vector{EntityId{0}, EntityId{0}, EntityId{2}, EntityId{2}}));
 }
@@ -112,10 +112,10 @@ TEST(LowerLabels, TakesTheSmallestLabelAndNotTheLabelOfTheSmallestMember) {
     DisjointSets sets{4};
     sets.join(0, 2);
     GlobalComponents labels{std::vector{EntityId{9}, EntityId{5}, EntityId{3}, EntityId{1}}};
-    EXPECT_TRUE(lower_labels(sets, labels));
+    EXPECT_TRUE(test::lower_labels(sets, labels));
     EXPECT_EQ(std::vector(labels.begin(), labels.end()),
               (std::vector{EntityId{3}, EntityId{5}, EntityId{3}, EntityId{1}}));
-    EXPECT_FALSE(lower_labels(sets, labels));
+    EXPECT_FALSE(test::lower_labels(sets, labels));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/sew.hpp"
 #include "tests/unit/topology/sample_blocks.hpp"
 #include "topology/modify.hpp"
 #include "topology/sew.hpp"
@@ -44,7 +45,7 @@ std::chrono::nanoseconds time_of_modification(GMap& map, const physics::SplitStr
     const Changes changes = modify(map, splits);
     const auto time = std::chrono::steady_clock::now() - start;
     for (const UnsewnFace& face : changes.unsewn) {
-        sew(map, face.entity, face.face);
+        test::sew(map, face.entity, face.face);
     }
     return time;
 }

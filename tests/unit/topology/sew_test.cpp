@@ -1,3 +1,4 @@
+#include "support/sew.hpp"
 #include "topology/sew.hpp"
 
 #include <gtest/gtest.h>
@@ -59,7 +60,7 @@ TEST(Sew, RestoresWhatWasUnsewn) {
     for (LocalEntity e{0}; e.value() < map.entity_count(); ++e) {
         for (int f = 0; f < Cell::faces; ++f) {
             if (map.link(e, f).is_local() && !map.is_sewn(e, f)) {
-                sew(map, e, f);
+                test::sew(map, e, f);
             }
         }
     }
@@ -78,7 +79,7 @@ TEST(UnsewDeathTest, RefusesAFreeFace) {
 
 TEST(SewDeathTest, RefusesASewnFace) {
     GMap map = sample::whole(sample::block(2, 1, 1));
-    EXPECT_DEATH(sew(map, LocalEntity{0}, 1), "precondition");
+    EXPECT_DEATH(test::sew(map, LocalEntity{0}, 1), "precondition");
 }
 #endif
 

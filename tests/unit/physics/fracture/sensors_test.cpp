@@ -7,8 +7,9 @@
 #include <random>
 #include <vector>
 
-#include "physics/lattice/force_sweep.hpp"
 #include "physics/fracture/split.hpp"
+#include "physics/lattice/force_sweep.hpp"
+#include "support/body.hpp"
 #include "support/precisions.hpp"
 #include "support/random_state.hpp"
 #include "support/serial_network.hpp"
@@ -26,11 +27,12 @@ TEST(Prefilter, FindsWhatAllSensorsFindInRandomStates) {
         const double size = std::pow(10.0, -1.0 - static_cast<double>(seed % 12));
         block.thresholds.field = [size](Vec3) { return 1.2 * size; };
         const Network network = block.network();
-        State state{network, Scheme::cordis, 0.3, seed % 3 == 0 ? Precision::binary32 : Precision::binary64};
+        test::Body body{network, Scheme::cordis, 0.3, seed % 3 == 0 ? Precision::binary32 : Precision::binary64};
+        State& state = body.state;
         test::shake(state, size, seed);
-        accumulate_forces(network, state, Measure::nothing);
-        const auto with = Sensors{Prefilter::on}.sense(network, state);
-        EXPECT_EQ(with, Sensors{Prefilter::off}.sense(network, state)) << "seed " << seed;
+        body.forces(Measure::nothing);
+        const auto with = body.sense(Prefilter::on);
+        EXPECT_EQ(with, body.sense(Prefilter::off)) << "seed " << seed;
         found += with.size();
     }
     EXPECT_GT(found, 1000U);
@@ -48,7 +50,8 @@ void expect_nothing_missed(double stretch, int ulps, Precision precision) {
     block.edge = {0.7, 1.1, 0.9};
     block.thresholds.field = [threshold](Vec3) { return threshold; };
     const Network network = block.network();
-    State state{network, Scheme::cordis, 0.3, precision};
+    test::Body body{network, Scheme::cordis, 0.3, precision};
+    State& state = body.state;
     std::mt19937_64 random{static_cast<std::uint64_t>(ulps + 3)};
     std::uniform_real_distribution<double> moved{-3, 3};
     const Vec3 away{moved(random), moved(random), moved(random)};
@@ -56,8 +59,8 @@ void expect_nothing_missed(double stretch, int ulps, Precision precision) {
         const double x = network.rest_position(state.unions.smallest_mass(s)).x;
         state.set_displacement(s, away + Vec3{stretch * x, 0, 0});
     }
-    accumulate_forces(network, state, Measure::nothing);
-    EXPECT_EQ(Sensors{Prefilter::on}.sense(network, state), Sensors{Prefilter::off}.sense(network, state))
+    body.forces(Measure::nothing);
+    EXPECT_EQ(body.sense(Prefilter::on), body.sense(Prefilter::off))
         << "stretch " << stretch << ", " << ulps << " ulps";
 }
 
@@ -75,7 +78,8 @@ TEST(Prefilter, MissesNothingWhereAnotherEdgeHasVanished) {
     block.cells = {2, 1, 1};
     block.thresholds.field = [](Vec3) { return 0.2; };
     const Network network = block.network();
-    State state{network, Scheme::cordis, 0.3};
+    test::Body body{network, Scheme::cordis, 0.3};
+    State& state = body.state;
     const auto at = [&](LocalMass m) -> Vec3 {
         const Vec3 rest = network.rest_position(m);
         if (rest.y > 0.5 && rest.z < 0.5 && rest.x < 0.5) {
@@ -86,10 +90,10 @@ TEST(Prefilter, MissesNothingWhereAnotherEdgeHasVanished) {
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
         state.set_displacement(state.unions.union_of(m), at(m));
     }
-    accumulate_forces(network, state, Measure::elastic_energy);
-    EXPECT_TRUE(std::isfinite(state.elastic));
-    EXPECT_EQ(Sensors{Prefilter::on}.sense(network, state).size(), 1U);
-    EXPECT_EQ(Sensors{Prefilter::on}.sense(network, state), Sensors{Prefilter::off}.sense(network, state));
+    body.forces(Measure::elastic_energy);
+    EXPECT_TRUE(std::isfinite(body.swept.elastic));
+    EXPECT_EQ(body.sense(Prefilter::on).size(), 1U);
+    EXPECT_EQ(body.sense(Prefilter::on), body.sense(Prefilter::off));
 }
 
 /// Moves all unions by a step of a random walk, so that some edges stay stretched and others change.
@@ -110,15 +114,15 @@ TEST(Prefilter, ForgetsWhatItKeptOfEdgesWhereUnionsSplit) {
         block.thresholds.weibull = Weibull{3, seed};
         block.thresholds.field = [](Vec3) { return 0.2; };
         const Network network = block.network();
-        State state{network, Scheme::cordis, 0.3, seed % 2 == 0 ? Precision::binary64 : Precision::binary32};
-        Sensors sensors{Prefilter::on};
+        test::Body body{network, Scheme::cordis, 0.3, seed % 2 == 0 ? Precision::binary64 : Precision::binary32};
+        State& state = body.state;
         for (std::uint64_t step = 0; step < 40; ++step) {
             walk(state, 0.06, 100 * seed + step);
-            accumulate_forces(network, state, Measure::nothing);
-            const auto triggered = sensors.sense(network, state);
-            ASSERT_EQ(triggered, Sensors{Prefilter::off}.sense(network, state)) << "seed " << seed << ", step " << step;
+            body.forces(Measure::nothing);
+            const auto triggered = body.sense(Prefilter::on);
+            ASSERT_EQ(triggered, body.sense(Prefilter::off)) << "seed " << seed << ", step " << step;
             SplitStream splits;
-            found += split(network, triggered, state, splits);
+            found += body.split(triggered, splits);
         }
     }
     EXPECT_GT(found, 1000U);
@@ -130,24 +134,18 @@ TEST(Prefilter, HasAfterEachSplitTheLimitsOfAllEdgesAnew) {
     block.thresholds.weibull = Weibull{3, 11};
     block.thresholds.field = [](Vec3) { return 0.2; };
     const Network network = block.network();
-    State state{network, Scheme::cordis, 0.3};
-    Sensors sensors{Prefilter::on};
+    test::Body body{network, Scheme::cordis, 0.3};
+    State& state = body.state;
     std::size_t changed = 0;
     for (std::uint64_t step = 0; step < 40; ++step) {
         walk(state, 0.06, step);
-        accumulate_forces(network, state, Measure::nothing);
-        const EdgeLimits before = state.sensing.limits;
+        body.forces(Measure::nothing);
+        const EdgeLimits before = body.engine.caches().limits;
         SplitStream splits;
-        split(network, sensors.sense(network, state), state, splits);
-        State anew = state;
-        anew.sensing.limits = EdgeLimits{state.lattice()};
-        for (VertexSite v{0}; v.index() < state.lattice().vertex_sites(); ++v) {
-            for (int axis = 0; axis < 3; ++axis) {
-                set_sensing_limits(network, v, axis, anew);
-            }
-        }
-        ASSERT_TRUE(state.sensing.limits == anew.sensing.limits) << "step " << step;
-        changed += state.sensing.limits != before ? 1U : 0U;
+        body.split(body.sense(Prefilter::on), splits);
+        const LatticeCaches anew{network, state};
+        ASSERT_TRUE(body.engine.caches().limits == anew.limits) << "step " << step;
+        changed += anew.limits != before ? 1U : 0U;
     }
     EXPECT_GT(changed, 10U);
 }
@@ -156,12 +154,13 @@ TEST(Sensor, TriggersAcrossTheStretchedFaceOnly) {
     test::SerialBlock block;
     block.cells = {2, 2, 1};
     const Network network = block.network();
-    State state{network, Scheme::cordis, 0.3};
+    test::Body body{network, Scheme::cordis, 0.3};
+    State& state = body.state;
     for (const LocalUnion s : state.unions.advanced()) {
         state.set_displacement(s, {0.021 * network.rest_position(state.unions.smallest_mass(s)).x, 0, 0});
     }
-    accumulate_forces(network, state, Measure::nothing);
-    const auto triggered = Sensors{Prefilter::on}.sense(network, state);
+    body.forces(Measure::nothing);
+    const auto triggered = body.sense(Prefilter::on);
     EXPECT_EQ(triggered.size(), 8U);
     for (const LocalDuplet d : triggered) {
         EXPECT_EQ(network.interior_faces()[static_cast<std::size_t>(d.value() / 4)].face_a / 2, 0);
@@ -172,11 +171,12 @@ TEST(Sensor, NeverTriggersAtAnInfiniteThreshold) {
     test::SerialBlock block;
     block.thresholds.field = [](Vec3) { return std::numeric_limits<double>::infinity(); };
     const Network network = block.network();
-    State state{network, Scheme::cordis, 0.3};
+    test::Body body{network, Scheme::cordis, 0.3};
+    State& state = body.state;
     test::shake(state, 5, 3);
-    accumulate_forces(network, state, Measure::nothing);
-    EXPECT_TRUE(Sensors{Prefilter::on}.sense(network, state).empty());
-    EXPECT_TRUE(Sensors{Prefilter::off}.sense(network, state).empty());
+    body.forces(Measure::nothing);
+    EXPECT_TRUE(body.sense(Prefilter::on).empty());
+    EXPECT_TRUE(body.sense(Prefilter::off).empty());
 }
 
 }  // namespace

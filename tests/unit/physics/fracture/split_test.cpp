@@ -6,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include "support/body.hpp"
 #include "support/random_state.hpp"
 #include "support/serial_network.hpp"
 
@@ -19,7 +20,7 @@ std::set<std::set<std::int32_t>> flooded(const Network& network, const std::set<
     for (bool changed = true; changed;) {
         changed = false;
         for (std::int32_t d = 0; d < static_cast<std::int32_t>(network.interior_faces().size()) * 4; ++d) {
-            const auto [a, b] = masses_of(network, LocalDuplet{d});
+            const auto [a, b] = network.masses_of(LocalDuplet{d});
             if (inactive.contains(LocalDuplet{d}) || label[a.index()] == label[b.index()]) {
                 continue;
             }
@@ -43,7 +44,7 @@ std::set<LocalDuplet> missing(const Network& network) {
     std::set<LocalDuplet> found;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interior_faces().size()); ++i) {
         for (int k = 0; k < duplets_per_face; ++k) {
-            if (!network.has_touched_duplet(i, k)) {
+            if (!network.duplets().contains(local_duplet(i, k))) {
                 found.emplace(i * duplets_per_face + k);
             }
         }
@@ -69,9 +70,10 @@ TEST(Split, LeavesTheConnectedComponentsOfTheRemainingDuplets) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         test::SerialBlock block;
         block.cells = {4, 3, 2};
-        block.duplets = seed % 2 == 0 ? Duplets::tree : Duplets::corners;
+        block.duplets = seed % 2 == 0 ? DupletKind::tree : DupletKind::corners;
         const Network network = block.network();
-        State state{network, Scheme::ab2, 0.3};
+        test::Body body{network, Scheme::ab2, 0.3};
+        State& state = body.state;
         std::mt19937_64 random{seed};
         std::set<LocalDuplet> inactive = missing(network);
         const auto duplets = static_cast<std::int32_t>(network.interior_faces().size()) * 4;
@@ -86,7 +88,7 @@ TEST(Split, LeavesTheConnectedComponentsOfTheRemainingDuplets) {
             inactive.insert(triggered.begin(), triggered.end());
             SplitStream splits;
             const std::size_t before = unions_of(state).size();
-            const std::size_t count = split(network, list, state, splits);
+            const std::size_t count = body.split(list, splits);
             EXPECT_EQ(count, splits.size());
             EXPECT_EQ(unions_of(state), flooded(network, inactive)) << "seed " << seed << " round " << round;
             std::size_t gained = 0;
@@ -101,7 +103,8 @@ TEST(Split, LeavesTheConnectedComponentsOfTheRemainingDuplets) {
 TEST(Split, LeavesEveryMassWhereAndAsFastAsItWas) {
     test::SerialBlock block;
     const Network network = block.network();
-    State state{network, Scheme::ab2, 0.3};
+    test::Body body{network, Scheme::ab2, 0.3};
+    State& state = body.state;
     test::shake(state, 0.1, 3);
     std::vector<std::array<Vec3, 2>> before;
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
@@ -113,7 +116,7 @@ TEST(Split, LeavesEveryMassWhereAndAsFastAsItWas) {
         every.emplace_back(d);
     }
     SplitStream splits;
-    split(network, every, state, splits);
+    body.split(every, splits);
     double inverse_mobility = 0;
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
         const LocalUnion s = state.unions.union_of(m);
@@ -132,15 +135,17 @@ TEST(Split, OfAHeldUnionLeavesBothPartsHeld) {
     all.velocity[1] = [](Vec3, double) { return 0.0; };
     block.supports = {all};
     const Network network = block.network();
-    State state{network, Scheme::cordis, 0.3};
-    const std::size_t held = state.held.size();
+    test::Body body{network, Scheme::cordis, 0.3};
+    State& state = body.state;
+    const std::size_t held = state.held.all().size();
     SplitStream splits;
     const std::vector<LocalDuplet> every{LocalDuplet{0}, LocalDuplet{1}, LocalDuplet{2}, LocalDuplet{3}};
-    EXPECT_EQ(split(network, every, state, splits), 4U);
-    EXPECT_EQ(state.held.size(), held + 4);
+    EXPECT_EQ(body.split(every, splits), 4U);
+    EXPECT_EQ(state.held.all().size(), held + 4);
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
-        ASSERT_TRUE(state.held_of_slot.contains(state.unions.union_of(m)));
-        EXPECT_EQ(state.held[state.held_of_slot.at(state.unions.union_of(m))].local_union, state.unions.union_of(m));
+        const HeldUnion* found = state.held.find(state.unions.union_of(m));
+        ASSERT_NE(found, nullptr);
+        EXPECT_EQ(found->local_union, state.unions.union_of(m));
     }
 }
 

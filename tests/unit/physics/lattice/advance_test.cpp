@@ -6,8 +6,9 @@
 #include <limits>
 #include <vector>
 
-#include "physics/lattice/force_sweep.hpp"
 #include "physics/fracture/split.hpp"
+#include "physics/lattice/force_sweep.hpp"
+#include "support/body.hpp"
 #include "support/network_members.hpp"
 #include "support/precisions.hpp"
 #include "support/random_state.hpp"
@@ -22,11 +23,12 @@ TEST(Advance, IsTheSchemeForEveryUnion) {
     const Network network = block.network();
     for (const Scheme scheme : {Scheme::cordis, Scheme::ab2}) {
         for (const Precision precision : test::both_precisions) {
-            State state{network, scheme, 0.3, precision};
+            test::Body body{network, scheme, 0.3, precision};
+            State& state = body.state;
             test::shake(state, 0.1, 8);
-            accumulate_forces(network, state, Measure::nothing);
+            body.forces(Measure::nothing);
             const State before = state;
-            advance(network, state, {}, Measure::nothing);
+            body.advance(Measure::nothing);
             for (const LocalUnion s : state.unions.advanced()) {
                 const Vec3 force = before.force(s);
                 const double mass = before.unions.mass_count(s) * network.model().corner_mass;
@@ -51,13 +53,14 @@ TEST(NextIncrements, AreThoseOfTheAdvanceToTheLastBit) {
     block.supports = {pull};
     const Network network = block.network();
     for (const Precision precision : test::both_precisions) {
-        State state{network, Scheme::cordis, 0.3, precision};
+        test::Body body{network, Scheme::cordis, 0.3, precision};
+        State& state = body.state;
         test::shake(state, 0.1, 9);
-        accumulate_forces(network, state, Measure::nothing);
+        body.forces(Measure::nothing);
         const ListedUnions all{state.unions, test::all_masses(network)};
         std::vector<double> next(3 * all.entries().size());
-        find_next_increments(network, state, all.entries(), next);
-        advance(network, state, {}, Measure::nothing);
+        body.engine.next_increments(state, all.entries(), next);
+        body.advance(Measure::nothing);
         for (std::size_t i = 0; i < all.entries().size(); ++i) {
             const Vec3 found{next[3 * i], next[3 * i + 1], next[3 * i + 2]};
             EXPECT_EQ(found, state.increment(all.entries()[i].local_union));
@@ -72,15 +75,16 @@ TEST(Advance, MovesHeldComponentsAsPrescribedAndBooksTheWork) {
     pull.velocity[0] = [](Vec3, double t) { return -0.1 * t; };
     block.supports = {pull};
     const Network network = block.network();
-    State state{network, Scheme::cordis, 0.1};
-    start(network, {[](Vec3) { return Vec3{}; }, [](Vec3) { return Vec3{}; }}, state);
-    accumulate_forces(network, state, Measure::elastic_energy);
+    test::Body body{network, Scheme::cordis, 0.1};
+    State& state = body.state;
+    body.start({[](Vec3) { return Vec3{}; }, [](Vec3) { return Vec3{}; }});
+    body.forces(Measure::elastic_energy);
     for (int step = 0; step < 10; ++step) {
-        advance(network, state, {}, Measure::elastic_energy);
+        body.advance(Measure::elastic_energy);
     }
     const LocalUnion left = state.unions.union_of(LocalMass{0});
     EXPECT_NEAR(state.displacement(left).x, -0.05 * 1.0, 1e-12);
-    EXPECT_GT(state.external, 0);
+    EXPECT_GT(state.held.work, 0);
 }
 
 TEST(Advance, NotesTheFirstUnionThatMakesNoSense) {
@@ -89,24 +93,25 @@ TEST(Advance, NotesTheFirstUnionThatMakesNoSense) {
         test::SerialBlock block;
         block.cells = {3, 3, 1};
         const Network network = block.network();
-        State state{network, Scheme::cordis, 0.3};
+        test::Body body{network, Scheme::cordis, 0.3};
+        State& state = body.state;
         const LocalUnion bad = state.unions.union_of(LocalMass{17});
         state.set_increment(bad, {0, broken, 0});
-        accumulate_forces(network, state, Measure::nothing);
+        body.forces(Measure::nothing);
         for (const LocalUnion s : state.unions.advanced()) {
             state.set_force(s, {});
         }
-        advance(network, state, {}, Measure::nothing);
-        ASSERT_TRUE(state.failure.has_value());
-        EXPECT_EQ(state.failure->step, 1);
-        EXPECT_EQ(state.failure->mass, network.mass(state.unions.smallest_mass(bad)));
-        EXPECT_EQ(state.failure->finite, std::isfinite(broken));
+        body.advance(Measure::nothing);
+        ASSERT_TRUE(body.swept.failure.has_value());
+        EXPECT_EQ(body.swept.failure->step, 1);
+        EXPECT_EQ(body.swept.failure->mass, network.mass(state.unions.smallest_mass(bad)));
+        EXPECT_EQ(body.swept.failure->finite, std::isfinite(broken));
     }
 }
 
-/// A state in which two of three duplets are inactive.
-State cracked_state(const Network& network, Precision precision) {
-    State state{network, Scheme::ab2, 0.3, precision};
+/// Two of three duplets are inactive.
+test::Body cracked_body(const Network& network, Precision precision) {
+    test::Body body{network, Scheme::ab2, 0.3, precision};
     std::vector<LocalDuplet> inactive;
     for (const LocalDuplet d : test::all_duplets(network)) {
         if (d.value() % 3 != 0) {
@@ -114,8 +119,8 @@ State cracked_state(const Network& network, Precision precision) {
         }
     }
     SplitStream splits;
-    EXPECT_GT(split(network, inactive, state, splits), 50U);
-    return state;
+    EXPECT_GT(body.split(inactive, splits), 50U);
+    return body;
 }
 
 TEST(Advance, MovesAllUnionsOfACrackedBlockWhereOneMakesNoSense) {
@@ -123,23 +128,23 @@ TEST(Advance, MovesAllUnionsOfACrackedBlockWhereOneMakesNoSense) {
     block.cells = {9, 3, 2};
     const Network network = block.network();
     for (const Precision precision : test::both_precisions) {
-        State state = cracked_state(network, precision);
-        test::shake(state, 0.1, 10);
-        accumulate_forces(network, state, Measure::nothing);
-        const State sound = state;
-        const LocalUnion in_pool = sound.unions.union_of(LocalMass{0});
-        const LocalUnion in_base = local_union(vertex_of(sound.unions.union_of(LocalMass{1})), base_layer);
+        test::Body sound = cracked_body(network, precision);
+        test::shake(sound.state, 0.1, 10);
+        sound.forces();
+        const Unions& unions = sound.state.unions;
+        const LocalUnion in_pool = unions.union_of(LocalMass{0});
+        const LocalUnion in_base = local_union(vertex_of(unions.union_of(LocalMass{1})), base_layer);
         ASSERT_NE(layer_of(in_pool), base_layer);
         for (const LocalUnion bad : {in_pool, in_base}) {
-            State before = sound;
-            before.set_increment(bad, {0, 1e5, 0});
-            State after = before;
-            advance(network, after, {}, Measure::nothing);
-            EXPECT_TRUE(after.failure.has_value());
-            for (const LocalUnion s : after.unions.advanced()) {
+            test::Body after = sound;
+            after.state.set_increment(bad, {0, 1e5, 0});
+            const State before = after.state;
+            EXPECT_TRUE(after.advance().failure.has_value());
+            for (const LocalUnion s : unions.advanced()) {
                 const Vec3 w = before.increment(s) + before.dt2_over_mass(s) * before.force(s);
-                EXPECT_LT(norm(after.increment(s) - w), test::allowed(1e-15, precision) * (s == bad ? 1e5 : 1));
-                EXPECT_EQ(after.displacement(s), after.motion.rounded(before.displacement(s) + after.increment(s)));
+                EXPECT_LT(norm(after.state.increment(s) - w), test::allowed(1e-15, precision) * (s == bad ? 1e5 : 1));
+                EXPECT_EQ(after.state.displacement(s),
+                          before.motion.rounded(before.displacement(s) + after.state.increment(s)));
             }
         }
     }
@@ -155,14 +160,15 @@ TEST(Start, PutsTheFirstIncrementsWhereTheParabolaWas) {
                           [](Vec3 at) {
                               return Vec3{0.1, 0.2 * at.z, 0};
                           }};
-    State state{network, Scheme::ab2, 0.1};
-    start(network, initial, state);
+    test::Body body{network, Scheme::ab2, 0.1};
+    State& state = body.state;
+    body.start(initial);
     const State started = state;
     for (const LocalUnion s : state.unions.advanced()) {
         const Vec3 rest = network.rest_position(state.unions.smallest_mass(s));
         state.set_velocity_increment(s, 0.1 * initial.velocity(rest));
     }
-    accumulate_forces(network, state, Measure::nothing);
+    body.forces(Measure::nothing);
     for (const LocalUnion s : state.unions.advanced()) {
         const Vec3 rest = network.rest_position(state.unions.smallest_mass(s));
         const Vec3 v = 0.1 * initial.velocity(rest);

@@ -8,6 +8,8 @@
 
 #include "core/hash.hpp"
 #include "physics/fracture/split.hpp"
+#include "physics/interaction.hpp"
+#include "support/body.hpp"
 #include "support/network_members.hpp"
 #include "support/precisions.hpp"
 #include "support/random_state.hpp"
@@ -23,11 +25,9 @@ std::array<Vec3, Hexahedron::corners> plain_forces(const Network& network, const
         const auto [a, b] = HexahedronPairs::corners[i];
         const LocalUnion sa = state.unions.union_of(local_mass(e, a));
         const LocalUnion sb = state.unions.union_of(local_mass(e, b));
-        const Vec3 d = network.model().rest[i] + state.displacement(sb) - state.displacement(sa);
-        const Vec3 n = (1 / norm(d)) * d;
-        const Vec3 v = (1 / state.step_size) * (state.velocity_increment(sb) - state.velocity_increment(sa));
-        const KelvinVoigt& c = network.model().interaction[i];
-        const Vec3 f = (c.stiffness * (norm(d) - network.model().rest_length[i]) + c.viscosity * dot(v, n)) * n;
+        const Vec3 du = state.displacement(sb) - state.displacement(sa);
+        const Vec3 dv = (1 / state.step_size) * (state.velocity_increment(sb) - state.velocity_increment(sa));
+        const Vec3 f = interaction_force(network.model().interaction[i], network.model().rest[i], du, dv);
         force[static_cast<std::size_t>(a)] += f;
         force[static_cast<std::size_t>(b)] += -f;
     }
@@ -42,11 +42,12 @@ TEST(ForceSweep, IsTheModelsForceInEveryEntityOfAnyBlock) {
         block.edge = {1, 1.5, 0.7};
         const Network network = block.network();
         for (const Precision precision : test::both_precisions) {
-            State state{network, Scheme::cordis, 0.3, precision};
+            test::Body body{network, Scheme::cordis, 0.3, precision};
+            State& state = body.state;
             test::shake(state, 0.2, 11);
             for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
                 const auto expected = plain_forces(network, state, e);
-                const auto found = entity_forces(network, state, std::array{e})[0];
+                const auto found = body.corner_forces(e);
                 for (std::size_t c = 0; c < found.size(); ++c) {
                     EXPECT_LT(norm(found[c] - expected[c]), test::allowed(2e-15, precision));
                 }
@@ -56,8 +57,9 @@ TEST(ForceSweep, IsTheModelsForceInEveryEntityOfAnyBlock) {
 }
 
 /// Compares the force on each union with the model's, summed mass by mass.
-void expect_forces_of_the_model(const Network& network, State& state) {
-    accumulate_forces(network, state, Measure::nothing);
+void expect_forces_of_the_model(const Network& network, test::Body& body) {
+    const State& state = body.state;
+    body.forces(Measure::nothing);
     for (const LocalUnion s : state.unions.advanced()) {
         Vec3 sum;
         state.unions.for_each_mass(s, [&](LocalMass m) {
@@ -75,13 +77,14 @@ TEST(ForceSweep, SumsTheModelsForcesOverUnionsInAnyStateOfSplits) {
         const Network network = block.network();
         for (const std::uint64_t one_in : {30U, 6U, 2U, 1U}) {
             for (const Precision precision : test::both_precisions) {
-                State state{network, Scheme::cordis, 0.3, precision};
+                test::Body body{network, Scheme::cordis, 0.3, precision};
+                State& state = body.state;
                 test::shake(state, 0.2, 4);
-                expect_forces_of_the_model(network, state);
+                expect_forces_of_the_model(network, body);
                 SplitStream splits;
-                split(network, test::drawn_duplets(network, state, one_in, 1), state, splits);
+                body.split(test::drawn_duplets(network, state, one_in, 1), splits);
                 const State shared = state;
-                expect_forces_of_the_model(network, state);
+                expect_forces_of_the_model(network, body);
                 for (const LocalUnion s : state.unions.advanced()) {
                     ASSERT_LT(norm(shared.force(s) - state.force(s)), test::allowed(1e-14, precision))
                         << "forces shared out by a split";
@@ -97,18 +100,19 @@ void expect_that_only_its_neighbours_notice(Precision precision, EntityId entity
     test::SerialBlock block;
     block.cells = {40, 3, 3};
     const Network network = block.network();
-    State state{network, Scheme::cordis, 0.3, precision};
+    test::Body body{network, Scheme::cordis, 0.3, precision};
+    State& state = body.state;
     test::shake(state, 0.005, 7);
-    State disturbed = state;
+    test::Body disturbed = body;
     const VertexId far = network.block().vertex(entity, 0);
     const auto vertex = [&](LocalMass m) { return network.block().vertex(network.entity(entity_of(m)), corner_of(m)); };
     for (LocalMass m{0}; m.value() < network.mass_count(); ++m) {
         if (vertex(m) == far) {
-            disturbed.set_displacement(state.unions.union_of(m), displacement);
+            disturbed.state.set_displacement(state.unions.union_of(m), displacement);
         }
     }
-    accumulate_forces(network, state, Measure::nothing);
-    accumulate_forces(network, disturbed, Measure::nothing);
+    body.forces(Measure::nothing);
+    disturbed.forces(Measure::nothing);
     std::set<LocalUnion> near;
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
         for (const auto& [a, b] : HexahedronPairs::corners) {
@@ -119,7 +123,7 @@ void expect_that_only_its_neighbours_notice(Precision precision, EntityId entity
     }
     EXPECT_GT(near.size(), 1U + 3U);
     for (const LocalUnion s : state.unions.advanced()) {
-        EXPECT_EQ(state.force(s) == disturbed.force(s), !near.contains(s));
+        EXPECT_EQ(state.force(s) == disturbed.state.force(s), !near.contains(s));
     }
 }
 
@@ -143,13 +147,14 @@ double relative_pull_along_x(double quadratic_strain, Precision precision) {
     block.edges = {1, 0};
     block.diagonals = {0, 0};
     const Network network = block.network();
-    State state{network, Scheme::cordis, 0.3, precision};
+    test::Body body{network, Scheme::cordis, 0.3, precision};
+    State& state = body.state;
     // u = x/(1 + sqrt(1 + x)) gives the length 1 + u without loss of digits.
     const double u = state.motion.rounded(quadratic_strain / (1 + std::sqrt(1 + quadratic_strain)));
     for (LocalMass m{0}; m.value() < Hexahedron::corners; ++m) {
         state.set_displacement(state.unions.union_of(m), {u * network.rest_position(m).x, 0, 0});
     }
-    accumulate_forces(network, state, Measure::nothing);
+    body.forces(Measure::nothing);
     return state.force(state.unions.union_of(LocalMass{0})).x / u;
 }
 
@@ -174,22 +179,22 @@ void expect_no_force_under_translation(Precision precision, double far) {
             test::SerialBlock block;
             block.cells = cells;
             const Network network = block.network();
-            State state{network, Scheme::cordis, 0.3, precision};
+            test::Body body{network, Scheme::cordis, 0.3, precision};
+            State& state = body.state;
             SplitStream splits;
             if (one_in > 0) {
-                split(network, test::drawn_duplets(network, state, one_in, 5), state, splits);
+                body.split(test::drawn_duplets(network, state, one_in, 5), splits);
             }
             for (const LocalUnion s : state.unions.advanced()) {
                 state.set_displacement(s, {0.1, 0.7, -far});
                 state.set_increment(s, {0.3, far, 0.2});
             }
-            accumulate_forces(network, state, Measure::elastic_energy);
+            body.forces(Measure::elastic_energy);
             for (const LocalUnion s : state.unions.advanced()) {
                 ASSERT_EQ(state.force(s), (Vec3{0, 0, 0})) << far << " m";
             }
-            EXPECT_EQ(state.elastic, 0);
-            EXPECT_EQ(state.dissipated, 0);
-            EXPECT_EQ(state.last_dissipation, 0);
+            EXPECT_EQ(body.swept.elastic, 0);
+            EXPECT_EQ(body.swept.dissipated, 0);
         }
     }
 }
@@ -209,12 +214,13 @@ TEST(ForceSweep, KeepsItsDigitsAtTinyStrain) {
     block.edges = {0.2, 0};
     block.diagonals = {0.3, 0};
     const Network network = block.network();
-    State state{network, Scheme::cordis, 0.3};
+    test::Body body{network, Scheme::cordis, 0.3};
+    State& state = body.state;
     const double tiny = 1e-14;
     for (LocalMass m{0}; m.value() < Hexahedron::corners; ++m) {
         state.set_displacement(state.unions.union_of(m), {tiny * network.rest_position(m).x, 0, 0});
     }
-    accumulate_forces(network, state, Measure::nothing);
+    body.forces(Measure::nothing);
     // Stretched along x, each corner feels an edge with k1 tiny and a diagonal with k3 (tiny/sqrt 3)/sqrt 3.
     const Vec3 force = state.force(state.unions.union_of(LocalMass{0}));
     EXPECT_NEAR(force.x / tiny, 0.2 + 0.3 / 3, 1e-12);
@@ -224,11 +230,12 @@ TEST(ForceSweep, IsZeroAlongAVanishedInteraction) {
     test::SerialBlock block;
     block.cells = {1, 1, 1};
     const Network network = block.network();
-    State state{network, Scheme::cordis, 0.3};
+    test::Body body{network, Scheme::cordis, 0.3};
+    State& state = body.state;
     for (LocalMass m{0}; m.value() < Hexahedron::corners; ++m) {
         state.set_displacement(state.unions.union_of(m), -network.rest_position(m));
     }
-    accumulate_forces(network, state, Measure::nothing);
+    body.forces(Measure::nothing);
     for (int c = 0; c < Hexahedron::corners; ++c) {
         EXPECT_EQ(state.force(state.unions.union_of(LocalMass{c})), (Vec3{0, 0, 0}));
     }
@@ -240,9 +247,10 @@ TEST(ForceSweep, IsTheGradientOfTheElasticEnergy) {
     block.edges = {0.2, 0};
     block.diagonals = {0.3, 0};
     const Network network = block.network();
-    State state{network, Scheme::cordis, 0.3};
+    test::Body body{network, Scheme::cordis, 0.3};
+    State& state = body.state;
     test::shake(state, 0.1, 5);
-    accumulate_forces(network, state, Measure::elastic_energy);
+    body.forces(Measure::elastic_energy);
     const LocalUnion moved = state.unions.advanced()[4];
     const Vec3 force = state.force(moved);
     const double h = 1e-6;
@@ -253,8 +261,8 @@ TEST(ForceSweep, IsTheGradientOfTheElasticEnergy) {
             Vec3 there = at;
             there[axis] += side == 0 ? -h : h;
             state.set_displacement(moved, there);
-            accumulate_forces(network, state, Measure::elastic_energy);
-            energy[side] = state.elastic;
+            body.forces(Measure::elastic_energy);
+            energy[side] = body.swept.elastic;
         }
         state.set_displacement(moved, at);
         EXPECT_NEAR(force[axis], -(energy[1] - energy[0]) / (2 * h), 1e-9);

@@ -11,6 +11,7 @@
 
 #include "physics/fracture/split.hpp"
 #include "physics/state/state.hpp"
+#include "support/body.hpp"
 #include "support/network_members.hpp"
 #include "support/serial_network.hpp"
 
@@ -18,14 +19,15 @@ namespace cracksim::physics {
 namespace {
 
 /// Checks that each corner is listed either as in the base layer or with its union's place in the pool.
-void expect_true_of_all_corners(const State& state) {
+void expect_true_of_all_corners(const test::Body& body) {
+    const State& state = body.state;
     const Lattice& lattice = state.lattice();
     for (std::size_t half = 0; half < lattice.halves(); ++half) {
         std::array<std::array<PoolPlace, Lattice::half>, Hexahedron::corners> found{};
         PooledCorners pooled{};
         pooled.in_base.fill(PooledCorners::all_lanes);
-        if (state.pooled.index()[half] >= 0) {
-            pooled = state.pooled.halves()[state.pooled.index()[half]];
+        if (body.engine.caches().pooled.index()[half] >= 0) {
+            pooled = body.engine.caches().pooled.halves()[body.engine.caches().pooled.index()[half]];
         }
         for (std::size_t i = 0; i < pooled.count; ++i) {
             found[pooled.corner(i)][pooled.lane(i)] = pooled.place[i];
@@ -46,12 +48,13 @@ void expect_true_of_all_corners(const State& state) {
 }
 
 /// Checks that the corners of each union in the pool are listed by ascending masses.
-void expect_ascending(const State& state) {
+void expect_ascending(const test::Body& body) {
+    const State& state = body.state;
     for (std::size_t half = 0; half < state.lattice().halves(); ++half) {
-        if (state.pooled.index()[half] < 0) {
+        if (body.engine.caches().pooled.index()[half] < 0) {
             continue;
         }
-        const PooledCorners& pooled = state.pooled.halves()[state.pooled.index()[half]];
+        const PooledCorners& pooled = body.engine.caches().pooled.halves()[body.engine.caches().pooled.index()[half]];
         const auto mass = [&](std::size_t i) {
             const Site site{static_cast<std::int32_t>(half * Lattice::half + pooled.lane(i))};
             return local_mass(state.lattice().entity(site), static_cast<int>(pooled.corner(i)));
@@ -64,10 +67,11 @@ void expect_ascending(const State& state) {
     }
 }
 
-std::size_t halves_in_use(const State& state) {
+std::size_t halves_in_use(const test::Body& body) {
+    const State& state = body.state;
     std::size_t count = 0;
     for (std::size_t half = 0; half < state.lattice().halves(); ++half) {
-        count += state.pooled.index()[half] >= 0 ? 1U : 0U;
+        count += body.engine.caches().pooled.index()[half] >= 0 ? 1U : 0U;
     }
     return count;
 }
@@ -76,21 +80,23 @@ TEST(PooledCorners, AreOnlyTheLoneMassesOfSevenCornersOfAnIntactBlock) {
     test::SerialBlock block;
     block.cells = {64, 3, 3};
     const Network network = block.network();
-    const State state{network, Scheme::cordis, 1e-5};
+    test::Body body{network, Scheme::cordis, 1e-5};
+    State& state = body.state;
     std::size_t count = 0;
     for (std::size_t half = 0; half < state.lattice().halves(); ++half) {
-        const std::int32_t index = state.pooled.index()[half];
-        count += index < 0 ? 0 : state.pooled.halves()[index].count;
+        const std::int32_t index = body.engine.caches().pooled.index()[half];
+        count += index < 0 ? 0 : body.engine.caches().pooled.halves()[index].count;
     }
     EXPECT_EQ(count, 7U);
-    expect_true_of_all_corners(state);
+    expect_true_of_all_corners(body);
 }
 
 TEST(PooledCorners, FollowTheUnionsWhileTheyFallApart) {
     test::SerialBlock block;
     block.cells = {21, 4, 3};
     const Network network = block.network();
-    State state{network, Scheme::cordis, 1e-5};
+    test::Body body{network, Scheme::cordis, 1e-5};
+    State& state = body.state;
     constexpr std::uint32_t seed = 20261126;
     SCOPED_TRACE(seed);
     std::mt19937 draw{seed};
@@ -103,12 +109,12 @@ TEST(PooledCorners, FollowTheUnionsWhileTheyFallApart) {
             duplets.begin() + static_cast<std::ptrdiff_t>(first),
             duplets.begin() + static_cast<std::ptrdiff_t>(std::min(first + at_once, duplets.size())));
         std::ranges::sort(some);
-        split(network, some, state, splits);
-        expect_true_of_all_corners(state);
-        expect_ascending(state);
+        body.split(some, splits);
+        expect_true_of_all_corners(body);
+        expect_ascending(body);
     }
     EXPECT_EQ(state.unions.advanced().size(), static_cast<std::size_t>(network.mass_count()));
-    EXPECT_EQ(halves_in_use(state), 4U * 3U * 6U);
+    EXPECT_EQ(halves_in_use(body), 4U * 3U * 6U);
 }
 
 }  // namespace

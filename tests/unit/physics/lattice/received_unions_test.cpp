@@ -36,7 +36,7 @@ TEST(ReceivedUnions, AreThoseOfTheReceivedMassesEachOnce) {
     test::SerialBlock block;
     block.cells = {6, 4, 3};
     const Network network = block.network_with_halo(1, block.cells[0] - 1);
-    const Unions unions{network};
+    const Unions unions{network, network.duplets()};
     const ReceivedUnions received{network, unions};
     expect_each_once(network, unions, received);
     EXPECT_EQ(network.received().size(), 2U * 4 * 3 * 4);
@@ -51,7 +51,7 @@ TEST(ReceivedUnions, FollowTheLabelsOfTheirOwners) {
     test::SerialBlock block;
     block.cells = {6, 4, 3};
     const Network network = block.network_with_halo(1, block.cells[0] - 1);
-    Unions unions{network};
+    Unions unions{network, network.duplets()};
     ReceivedUnions received{network, unions};
     constexpr std::uint32_t seed = 20261126;
     SCOPED_TRACE(seed);

@@ -7,6 +7,7 @@
 
 #include "physics/fracture/split.hpp"
 #include "physics/state/state.hpp"
+#include "support/body.hpp"
 #include "support/network_members.hpp"
 #include "support/serial_network.hpp"
 
@@ -15,7 +16,8 @@ namespace {
 
 /// The entities that have an edge, for each edge of the block and each pair of unions at its ends; found by a search of
 /// all entities.
-using Groups = std::map<std::tuple<VertexId, VertexId, LocalUnion, LocalUnion>, std::vector<std::pair<LocalEntity, int>>>;
+using Groups =
+    std::map<std::tuple<VertexId, VertexId, LocalUnion, LocalUnion>, std::vector<std::pair<LocalEntity, int>>>;
 
 Groups groups_of(const Network& network, const State& state) {
     Groups groups;
@@ -30,23 +32,26 @@ Groups groups_of(const Network& network, const State& state) {
     return groups;
 }
 
-void expect_smallest_carries_all(const Network& network, const State& state) {
+void expect_smallest_carries_all(const Network& network, const test::Body& body) {
+    const State& state = body.state;
     for (const auto& [key, copies] : groups_of(network, state)) {
         for (std::size_t i = 0; i < copies.size(); ++i) {
             const auto [e, edge] = copies[i];
-            EXPECT_EQ(state.shared_edges.multiplicity(state.unions, e, edge), i == 0 ? static_cast<int>(copies.size()) : 0);
+            EXPECT_EQ(body.engine.caches().shared_edges.multiplicity(state.unions, e, edge),
+                      i == 0 ? static_cast<int>(copies.size()) : 0);
         }
     }
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
         for (int i = HexahedronPairs::edges; i < HexahedronPairs::count; ++i) {
-            EXPECT_EQ(state.shared_edges.multiplicity(state.unions, e, i), 1);
+            EXPECT_EQ(body.engine.caches().shared_edges.multiplicity(state.unions, e, i), 1);
         }
     }
 }
 
 /// The number of half batches whose entities all represent the edges that they would represent inside an intact block.
 /// Checks that exactly these half batches have the flag `interior`.
-std::size_t halves_inside(const Network& network, const State& state) {
+std::size_t halves_inside(const Network& network, const test::Body& body) {
+    const State& state = body.state;
     const Lattice& lattice = state.lattice();
     std::size_t count = 0;
     for (std::size_t half = 0; half < lattice.halves(); ++half) {
@@ -57,10 +62,12 @@ std::size_t halves_inside(const Network& network, const State& state) {
             for (int i = 0; expected && i < HexahedronPairs::count; ++i) {
                 const bool is_edge = i < HexahedronPairs::edges;
                 const bool at_corner_6 = i == HexahedronPairs::edge_at(6, i / HexahedronPairs::edges_per_axis % 3);
-                expected = state.shared_edges.multiplicity(state.unions, e, i) == (!is_edge ? 1 : at_corner_6 ? 4 : 0);
+                expected = body.engine.caches().shared_edges.multiplicity(state.unions, e, i) == (!is_edge      ? 1
+                                                                                                  : at_corner_6 ? 4
+                                                                                                                : 0);
             }
         }
-        const bool said = (state.shared_edges.represented()[half] >> SharedEdges::interior & 1U) != 0;
+        const bool said = (body.engine.caches().shared_edges.represented()[half] >> SharedEdges::interior & 1U) != 0;
         EXPECT_EQ(said, expected) << "half " << half;
         count += said ? 1U : 0U;
     }
@@ -71,15 +78,15 @@ TEST(SharedEdges, KnowsWhereAllCarryWhatEntitiesInsideAnIntactBlockDo) {
     test::SerialBlock block;
     block.cells = {24, 5, 4};
     const Network network = block.network();
-    State state{network, Scheme::cordis, 0.3};
-    std::size_t before = halves_inside(network, state);
+    test::Body body{network, Scheme::cordis, 0.3};
+    std::size_t before = halves_inside(network, body);
     // Of the six half batches of a row, all but the first and the last; no rows at the block's lower and upper faces.
     EXPECT_EQ(before, 4U * 3 * 2);
     for (std::uint64_t round = 0; before > 0; ++round) {
         ASSERT_LT(round, 30U);
         SplitStream splits;
-        split(network, test::drawn_duplets(network, state, 40, round), state, splits);
-        const std::size_t after = halves_inside(network, state);
+        body.split(test::drawn_duplets(network, body.state, 40, round), splits);
+        const std::size_t after = halves_inside(network, body);
         EXPECT_LE(after, before);
         before = after;
     }
@@ -89,9 +96,9 @@ TEST(SharedEdges, SaysOfNoHaloThatItIsInside) {
     test::SerialBlock block;
     block.cells = {24, 5, 4};
     const Network network = block.network_with_halo(6, 19);
-    const State state{network, Scheme::cordis, 0.3};
+    test::Body body{network, Scheme::cordis, 0.3};
     // The owned entities of a row fill two half batches.
-    EXPECT_EQ(halves_inside(network, state), 2U * 3 * 2);
+    EXPECT_EQ(halves_inside(network, body), 2U * 3 * 2);
 }
 
 TEST(SharedEdges, LetsTheSmallestEntityCarryWhatSharesBothUnions) {
@@ -99,12 +106,13 @@ TEST(SharedEdges, LetsTheSmallestEntityCarryWhatSharesBothUnions) {
         test::SerialBlock block;
         block.cells = cells;
         const Network network = block.network();
-        State state{network, Scheme::cordis, 0.3};
-        expect_smallest_carries_all(network, state);
+        test::Body body{network, Scheme::cordis, 0.3};
+        State& state = body.state;
+        expect_smallest_carries_all(network, body);
         for (std::uint64_t round = 0; round < 6; ++round) {
             SplitStream splits;
-            split(network, test::drawn_duplets(network, state, 4, round), state, splits);
-            expect_smallest_carries_all(network, state);
+            body.split(test::drawn_duplets(network, state, 4, round), splits);
+            expect_smallest_carries_all(network, body);
         }
     }
 }
@@ -113,12 +121,15 @@ TEST(SharedEdges, IsWhatTheRuleForIntactBlocksSays) {
     test::SerialBlock block;
     block.cells = {10, 3, 4};
     const Network network = block.network();
-    const State state{network, Scheme::cordis, 0.3};
+    test::Body body{network, Scheme::cordis, 0.3};
+    State& state = body.state;
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
         const std::int64_t id = network.entity(e).value();
         const unsigned said = represented_if_intact(id % 10 == 0, id / 10 % 3 == 0, id / 30 == 0);
         for (int i = 0; i < HexahedronPairs::count; ++i) {
-            EXPECT_EQ(state.shared_edges.multiplicity(state.unions, e, i) > 0, (said >> static_cast<unsigned>(i) & 1U) != 0) << i;
+            EXPECT_EQ(body.engine.caches().shared_edges.multiplicity(state.unions, e, i) > 0,
+                      (said >> static_cast<unsigned>(i) & 1U) != 0)
+                << i;
         }
     }
 }
@@ -127,11 +138,12 @@ TEST(SharedEdges, LeavesSevenInteractionsAnEntityInsideAnIntactBlock) {
     test::SerialBlock block;
     block.cells = {16, 8, 8};
     const Network network = block.network();
-    const State state{network, Scheme::cordis, 0.3};
+    test::Body body{network, Scheme::cordis, 0.3};
+    State& state = body.state;
     std::int64_t represented = 0;
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
         for (int i = 0; i < HexahedronPairs::count; ++i) {
-            represented += state.shared_edges.multiplicity(state.unions, e, i) > 0 ? 1 : 0;
+            represented += body.engine.caches().shared_edges.multiplicity(state.unions, e, i) > 0 ? 1 : 0;
         }
     }
     const auto [x, y, z] = block.cells;

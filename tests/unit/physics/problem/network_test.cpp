@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "physics/fracture/split.hpp"
 #include "support/serial_network.hpp"
 
 namespace cracksim::physics {
@@ -15,7 +14,7 @@ namespace {
 
 using Pair = std::pair<std::int32_t, std::int32_t>;
 
-Network network_of(std::array<std::int64_t, 3> cells, Duplets duplets) {
+Network network_of(std::array<std::int64_t, 3> cells, DupletKind duplets) {
     test::SerialBlock block;
     block.cells = cells;
     block.duplets = duplets;
@@ -27,8 +26,8 @@ std::set<Pair> duplets_of(const Network& network) {
     std::set<Pair> found;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interior_faces().size()); ++i) {
         for (int k = 0; k < duplets_per_face; ++k) {
-            if (network.has_touched_duplet(i, k)) {
-                const auto [a, b] = masses_of(network, LocalDuplet{i * duplets_per_face + k});
+            if (network.duplets().contains(local_duplet(i, k))) {
+                const auto [a, b] = network.masses_of(local_duplet(i, k));
                 found.emplace(std::min(a, b).value(), std::max(a, b).value());
             }
         }
@@ -59,18 +58,18 @@ std::size_t reached_from_first(const std::set<Pair>& duplets, std::span<const Lo
 }
 
 TEST(Network, HasADupletAtEachCornerOfEachSharedFace) {
-    const Network network = network_of({4, 3, 2}, Duplets::corners);
+    const Network network = network_of({4, 3, 2}, DupletKind::corners);
     EXPECT_EQ(duplets_of(network).size(), 4 * network.interior_faces().size());
 }
 
 TEST(Network, TreeHoldsEachUnionTogetherWithTheFewestOfTheDuplets) {
     for (const auto& cells : {std::array<std::int64_t, 3>{4, 3, 2}, {5, 1, 1}, {3, 3, 3}, {1, 4, 2}}) {
-        const Network network = network_of(cells, Duplets::tree);
+        const Network network = network_of(cells, DupletKind::tree);
         const std::set<Pair> tree = duplets_of(network);
-        const std::set<Pair> all = duplets_of(network_of(cells, Duplets::corners));
+        const std::set<Pair> all = duplets_of(network_of(cells, DupletKind::corners));
         EXPECT_TRUE(std::ranges::includes(all, tree));
         std::int64_t unions = 0;
-        network.for_each_union([&](std::span<const LocalMass> masses) {
+        network.for_each_touched_vertex([&](std::span<const LocalMass> masses) {
             const std::set<Pair> here = within(tree, masses);
             EXPECT_EQ(here.size(), masses.size() - 1);
             EXPECT_EQ(reached_from_first(here, masses), masses.size());
@@ -83,7 +82,7 @@ TEST(Network, TreeHoldsEachUnionTogetherWithTheFewestOfTheDuplets) {
 // Breadth first from mass 6: 15, 21, 34 over its faces; from 15 the masses not yet reached, 28 and 43; from 21, 49;
 // from 28, 56.
 TEST(Network, TreeOfAnInteriorVertexFollowsAscendingIds) {
-    const Network network = network_of({2, 2, 2}, Duplets::tree);
+    const Network network = network_of({2, 2, 2}, DupletKind::tree);
     const std::vector<LocalMass> centre{LocalMass{6},  LocalMass{15}, LocalMass{21}, LocalMass{28},
                                         LocalMass{34}, LocalMass{43}, LocalMass{49}, LocalMass{56}};
     EXPECT_EQ(within(duplets_of(network), centre),
@@ -99,7 +98,7 @@ TEST(Network, ThresholdsAreThoseOfTheirPlacesWhereverTheFirstDifferentOneIs) {
         for (std::int32_t i = 0; i < static_cast<std::int32_t>(network.interior_faces().size()); ++i) {
             for (int k = 0; k < duplets_per_face; ++k) {
                 const LocalDuplet d{i * duplets_per_face + k};
-                const Vec3 at = network.rest_position(masses_of(network, d)[0]);
+                const Vec3 at = network.rest_position(network.masses_of(d)[0]);
                 EXPECT_EQ(network.threshold(d), block.thresholds.field(at));
             }
         }
@@ -111,8 +110,7 @@ TEST(Network, OneThresholdTakesNoMemory) {
     const std::size_t uniform = block.network().memory_bytes();
     block.thresholds.weibull = Weibull{4, 1};
     const Network varied = block.network();
-    EXPECT_EQ(varied.memory_bytes(),
-              uniform + varied.interior_faces().size() * duplets_per_face * sizeof(double));
+    EXPECT_EQ(varied.memory_bytes(), uniform + varied.interior_faces().size() * duplets_per_face * sizeof(double));
 }
 
 }  // namespace

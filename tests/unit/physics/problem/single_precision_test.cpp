@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "physics/lattice/advance.hpp"
 #include "physics/state/kinetic_energy.hpp"
+#include "support/body.hpp"
 #include "support/serial_network.hpp"
 
 namespace cracksim::physics {
@@ -39,19 +39,18 @@ TEST(SinglePrecision, NamesWhatItCannotHold) {
     EXPECT_EQ(unfit(heavy, 1), "the squared step over a mass, 1e-30 s2/kg");
 }
 
-/// The state of an oscillating block without damping after `steps` steps.
-State swinging(const Network& network, Precision precision, int steps) {
+/// The body of an oscillating block without damping after `steps` steps.
+test::Body swinging(const Network& network, Precision precision, int steps) {
     const Initial initial{[](Vec3) { return Vec3{}; },
                           [](Vec3 at) {
                               return Vec3{0.02 * std::sin(at.y), 0.01 * std::cos(at.x), 0.02 * std::sin(0.5 * at.x)};
                           }};
-    State state{network, Scheme::cordis, 0.2, precision};
-    start(network, initial, state);
-    accumulate_forces(network, state, Measure::elastic_energy);
+    test::Body body{network, Scheme::cordis, 0.2, precision};
+    body.start(initial);
     for (int step = 0; step < steps; ++step) {
-        advance(network, state, {}, Measure::elastic_energy);
+        body.advance(Measure::elastic_energy);
     }
-    return state;
+    return body;
 }
 
 TEST(SinglePrecision, FollowsDoubleToFourDigitsThroughAThousandSteps) {
@@ -60,8 +59,10 @@ TEST(SinglePrecision, FollowsDoubleToFourDigitsThroughAThousandSteps) {
     block.edges.viscosity = 0;
     block.diagonals.viscosity = 0;
     const Network network = block.network();
-    const State in_double = swinging(network, Precision::binary64, 1000);
-    const State in_single = swinging(network, Precision::binary32, 1000);
+    const test::Body body_in_double = swinging(network, Precision::binary64, 1000);
+    const test::Body body_in_single = swinging(network, Precision::binary32, 1000);
+    const State& in_double = body_in_double.state;
+    const State& in_single = body_in_single.state;
     double farthest = 0;
     double difference = 0;
     for (const LocalUnion s : in_double.unions.advanced()) {
@@ -70,8 +71,8 @@ TEST(SinglePrecision, FollowsDoubleToFourDigitsThroughAThousandSteps) {
     }
     EXPECT_GT(difference, 0);
     EXPECT_LT(difference / farthest, 1e-4);
-    const auto energy = [&](const State& state) { return state.elastic + kinetic_energy(network, state); };
-    EXPECT_NEAR(energy(in_single) / energy(in_double), 1, 1e-4);
+    const auto energy = [&](const test::Body& body) { return body.swept.elastic + kinetic_energy(network, body.state); };
+    EXPECT_NEAR(energy(body_in_single) / energy(body_in_double), 1, 1e-4);
 }
 
 }  // namespace

@@ -4,8 +4,7 @@
 
 #include <random>
 
-#include "physics/lattice/advance.hpp"
-#include "physics/lattice/force_sweep.hpp"
+#include "support/body.hpp"
 #include "support/serial_network.hpp"
 
 namespace cracksim::physics {
@@ -45,7 +44,8 @@ double growth_of_folded_entity(double share_of_bound) {
     block.edges = {0.2, 0.04};
     block.diagonals = {0.3, 0.06};
     const Network network = block.network();
-    State state{network, Scheme::cordis, share_of_bound * step_bound(block.model(), Scheme::cordis).step};
+    test::Body body{network, Scheme::cordis, share_of_bound * step_bound(block.model(), Scheme::cordis).step};
+    State& state = body.state;
     for (LocalMass m{0}; m.value() < Hexahedron::corners; ++m) {
         const auto& o = Hexahedron::offset[static_cast<std::size_t>(corner_of(m))];
         const bool odd = (o[0] + o[1] + o[2]) % 2 != 0;
@@ -57,9 +57,9 @@ double growth_of_folded_entity(double share_of_bound) {
     const LocalUnion id = state.unions.union_of(LocalMass{0});
     const double before = std::abs(state.increment(id).x);
     double largest = before;
-    accumulate_forces(network, state, Measure::nothing);
+    body.forces();
     for (int step = 0; step < 60; ++step) {
-        advance(network, state, {}, Measure::nothing);
+        body.advance();
         largest = std::max(largest, std::abs(state.increment(id).x));
     }
     return largest / before;

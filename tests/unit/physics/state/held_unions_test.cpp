@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "physics/problem/support_conflict.hpp"
+#include "physics/state/prescribed_motion.hpp"
 #include "support/serial_network.hpp"
 
 namespace cracksim::physics {
@@ -20,8 +22,8 @@ TEST(Supports, HoldTheMassesThatRestInsideTheirBox) {
     block.supports = {support("left", -1, 0.5, 0)};
     const Network network = block.network();
     const State state{network, Scheme::cordis, 0.3};
-    EXPECT_EQ(state.held.size(), 16U);
-    for (const HeldUnion& held : state.held) {
+    EXPECT_EQ(state.held.all().size(), 16U);
+    for (const HeldUnion& held : state.held.all()) {
         EXPECT_EQ(held.rest.x, 0);
         EXPECT_EQ(held.support, (std::array<std::int16_t, 3>{0, -1, -1}));
     }
@@ -44,7 +46,7 @@ TEST(Supports, AskNoVelocityFromBeforeTheStart) {
     block.supports = {pull};
     const Network network = block.network();
     const State state{network, Scheme::ab2, 0.1};
-    const LocalUnion held = state.held.front().local_union;
+    const LocalUnion held = state.held.all().front().local_union;
     EXPECT_NEAR(prescribed(network, state, held, {}, -0.5).x, 0.1 * (3 - 0.1), 1e-15);
     EXPECT_NEAR(prescribed(network, state, held, {}, -1.5).x, 0.1 * (3 - 0.3), 1e-15);
 }

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "physics/fracture/split.hpp"
+#include "support/body.hpp"
 #include "support/network_members.hpp"
 #include "support/serial_network.hpp"
 
@@ -47,7 +47,8 @@ TEST(ListedUnions, AreThoseOfTheMassesEachOnceAsTheyFallApart) {
     test::SerialBlock block;
     block.cells = {5, 4, 3};
     const Network network = block.network();
-    State state{network, Scheme::cordis, 0.1};
+    test::Body body{network, Scheme::cordis, 0.1};
+    State& state = body.state;
     ListedUnions listed{state.unions, drawn_masses(network, draw)};
     expect_each_once_in_order(listed, state.unions);
     EXPECT_TRUE(listed.update(state.unions).empty());
@@ -59,12 +60,11 @@ TEST(ListedUnions, AreThoseOfTheMassesEachOnceAsTheyFallApart) {
         for (const LocalMass m : listed.masses()) {
             before.push_back(state.unions.part(m));
         }
-        split(network, std::span{duplets}.subspan(begin, std::min<std::size_t>(40, duplets.size() - begin)), state,
-              splits);
+        body.split(std::span{duplets}.subspan(begin, std::min<std::size_t>(40, duplets.size() - begin)), splits);
         std::vector<std::uint32_t> places;
-        for (const auto& [place, label] : listed.update(state.unions)) {
+        for (const auto& [place, part] : listed.update(state.unions)) {
             places.push_back(place);
-            EXPECT_EQ(label, state.unions.part(listed.masses()[place]));
+            EXPECT_EQ(part, state.unions.part(listed.masses()[place]));
         }
         std::vector<std::uint32_t> expected;
         for (std::uint32_t place = 0; place < before.size(); ++place) {

@@ -18,7 +18,7 @@ void expect_components_apart(Precision precision) {
     test::SerialBlock block;
     block.cells = {9, 2, 2};
     const Network network = block.network();
-    const Unions unions{network};
+    const Unions unions{network, network.duplets()};
     const Lattice& lattice = unions.lattice();
     Motion motion{lattice, true, precision};
     const auto value = [](LocalUnion s, std::size_t quantity) {
@@ -52,7 +52,7 @@ TEST(Motion, TakesHalfTheMemoryInSinglePrecision) {
     test::SerialBlock block;
     block.cells = {80, 9, 9};
     const Network network = block.network();
-    const Lattice lattice = Unions{network}.lattice();
+    const Lattice lattice = Unions{network, network.duplets()}.lattice();
     const auto bytes = [&](Precision precision) {
         return static_cast<double>(Motion{lattice, false, precision}.memory_bytes());
     };
@@ -62,7 +62,7 @@ TEST(Motion, TakesHalfTheMemoryInSinglePrecision) {
 TEST(Motion, RoundsToItsPrecision) {
     test::SerialBlock block;
     const Network network = block.network();
-    const Unions unions{network};
+    const Unions unions{network, network.duplets()};
     for (const Precision precision : test::both_precisions) {
         Motion motion{unions.lattice(), false, precision};
         const LocalUnion s = unions.advanced().front();
@@ -79,7 +79,7 @@ TEST(Motion, TakesAPlaceInThePoolForAUnionOffTheBasePlaneOnce) {
     test::SerialBlock block;
     block.cells = {64, 4, 4};
     const Network network = block.network();
-    const Unions unions{network};
+    const Unions unions{network, network.duplets()};
     Motion motion{unions.lattice(), false, Precision::binary64};
     const VertexSite v = unions.lattice().vertex(LocalMass{8 * 30});
     motion.open(local_union(v, base_layer));
@@ -144,7 +144,7 @@ TEST(Motion, KeepsWhatItHoldsWhenThePoolIsPutInOrder) {
     test::SerialBlock block;
     block.cells = {20, 5, 5};
     const Network network = block.network();
-    const Unions unions{network};
+    const Unions unions{network, network.duplets()};
     for (const Precision precision : test::both_precisions) {
         Motion motion{unions.lattice(), true, precision};
         const std::vector<LocalUnion> opened = scattered_unions(unions);
@@ -177,7 +177,7 @@ TEST(Motion, HasTheUnionsThatARowOfCellsMeetsFirstNextToEachOtherInAnOrderedPool
     test::SerialBlock block;
     block.cells = {20, 5, 5};
     const Network network = block.network();
-    const Unions unions{network};
+    const Unions unions{network, network.duplets()};
     Motion motion{unions.lattice(), false, Precision::binary64};
     for (const LocalUnion s : scattered_unions(unions)) {
         motion.open(s);
@@ -198,7 +198,7 @@ TEST(Motion, KeepsWhatItHoldsWhileUnionsComeToThePool) {
     test::SerialBlock block;
     block.cells = {40, 5, 5};
     const Network network = block.network();
-    const Unions unions{network};
+    const Unions unions{network, network.duplets()};
     Motion motion{unions.lattice(), false, Precision::binary64};
     const auto value = [](LocalUnion s) { return Vec3{1.0 * s.value(), 2.0 * s.value(), 3.0 * s.value()}; };
     std::vector<LocalUnion> opened;
@@ -218,7 +218,7 @@ TEST(Motion, KeepsWhatItHoldsWhileUnionsComeToThePool) {
 TEST(Motion, ClearsForcesAndNothingElse) {
     test::SerialBlock block;
     const Network network = block.network();
-    const Unions unions{network};
+    const Unions unions{network, network.duplets()};
     Motion motion{unions.lattice(), false, Precision::binary64};
     const VertexSite v = vertex_of(unions.advanced().front());
     for (const LocalUnion s : {local_union(v, base_layer), local_union(v, 1)}) {
@@ -239,7 +239,7 @@ template <class Real>
 void expect_aligned_vectors(Precision precision) {
     test::SerialBlock block;
     const Network network = block.network();
-    const Unions unions{network};
+    const Unions unions{network, network.duplets()};
     Motion motion{unions.lattice(), true, precision};
     constexpr std::uintptr_t vector_bytes = Lattice::lanes * sizeof(Real);
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(motion.in<Real>().base()) % vector_bytes, 0U);

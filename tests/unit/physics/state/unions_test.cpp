@@ -37,7 +37,7 @@ TEST(Unions, HoldsEachMassOnceFromTheStart) {
         test::SerialBlock block;
         block.cells = cells;
         const Network network = block.network();
-        const Unions unions{network};
+        const Unions unions{network, network.duplets()};
         expect_consistent(network, unions);
         EXPECT_EQ(static_cast<std::int64_t>(unions.advanced().size()), block.block().vertex_count());
     }
@@ -47,7 +47,7 @@ TEST(Unions, StaysConsistentWhileUnionsFallApart) {
     test::SerialBlock block;
     block.cells = {9, 2, 2};
     const Network network = block.network();
-    Unions unions{network};
+    Unions unions{network, network.duplets()};
     std::vector<LocalMass> masses;
     for (int round = 0; round < 4; ++round) {
         for (const LocalUnion s : unions.advanced()) {

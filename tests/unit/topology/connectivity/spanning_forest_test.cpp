@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "support/whole_labels.hpp"
 #include "tests/unit/topology/sample_blocks.hpp"
-#include "topology/components.hpp"
 
 namespace cracksim::topology {
 namespace {
@@ -65,7 +65,7 @@ struct Falling {
 
 GlobalComponents components(const Falling& f) {
     GlobalComponents labels{sample::all_entities(f.block)};
-    lower_to_component(f.map, f.owned, labels);
+    test::lower_to_component(f.map, f.owned, labels);
     return labels;
 }
 
