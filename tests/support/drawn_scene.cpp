@@ -46,6 +46,7 @@ DrawnScene draw_scene(std::uint64_t seed) {
     SceneDraft draft{seed};
     draw_block(draft);
     draw_matter(draft);
+    draw_notches(draft);
     draw_sensors(draft);
     draw_time(draft);
     draw_loads(draft);
@@ -61,6 +62,11 @@ const std::vector<std::string>& drawable_options() {
                                               "damping",
                                               "no damping",
                                               "fracture energy",
+                                              "notches",
+                                              "no notches",
+                                              "rectangular notch",
+                                              "disc-shaped notch",
+                                              "triangular notch",
                                               "uniform threshold",
                                               "threshold in zones",
                                               "smooth threshold",

@@ -27,6 +27,7 @@ public:
             threshold_.push_back(threshold(scene, duplet));
         }
         find_unions();
+        outcome_.starting_unions = count_unions();
         start();
     }
 
@@ -59,9 +60,7 @@ public:
     [[nodiscard]] Outcome outcome() {
         outcome_.displacement = u_;
         outcome_.increment = w_;
-        for (std::size_t m = 0; m < u_.size(); ++m) {
-            outcome_.unions += union_[m] == m ? 1U : 0U;
-        }
+        outcome_.unions = count_unions();
         return outcome_;
     }
 
@@ -113,6 +112,14 @@ private:
                 }
             }
         }
+    }
+
+    [[nodiscard]] std::size_t count_unions() const {
+        std::size_t count = 0;
+        for (std::size_t m = 0; m < union_.size(); ++m) {
+            count += union_[m] == m ? 1U : 0U;
+        }
+        return count;
     }
 
     /// An edge joins corners that differ along one axis, a diagonal those that differ along all three axes.
@@ -182,7 +189,7 @@ private:
     std::vector<std::size_t> union_;  ///< by mass: the smallest mass of its union
     std::vector<Vector> rest_, u_, w_, w_before_, force_;
     std::int64_t step_{0};
-    Outcome outcome_{{}, {}, std::numeric_limits<double>::infinity(), {}, {}, 0};
+    Outcome outcome_{{}, {}, std::numeric_limits<double>::infinity(), {}, {}, 0, 0};
 };
 
 }  // namespace

@@ -1,67 +1,14 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <optional>
 #include <vector>
+
+#include "support/oracle_scene.hpp"
 
 /// A second, plain implementation of the physics of a block: every mass has its own motion; every interaction, sensor
 /// and Mass-union is computed from its definition. It shares no code with cracksim, whose results are compared with it.
 namespace cracksim::oracle {
-
-using Vector = std::array<double, 3>;
-using Field = std::function<double(const Vector&, double)>;  ///< function of a rest position (m) and the time (s)
-
-struct Interaction {
-    double stiffness;  ///< N/m
-    double viscosity;  ///< N s/m
-};
-
-struct Weibull {
-    double shape;
-    std::uint64_t seed;
-};
-
-/// Prescribes the velocity (m/s) of the masses whose rest position is inside a box; an empty component is free.
-struct Support {
-    Vector lower;
-    Vector upper;
-    std::array<Field, 3> velocity;
-};
-
-enum class Scheme { cordis, ab2 };
-enum class Duplets { corners, tree };
-
-/// A block of hexahedra, in SI units. Entity ids count x fastest, then y, then z; mass = 8 entity + corner, corners in
-/// VTK order.
-struct Scene {
-    std::array<std::size_t, 3> cells;
-    Vector edge;
-    Vector origin;
-    double mass;  ///< at each corner of an entity
-    Interaction edges;
-    Interaction diagonals;
-    Duplets duplets;
-    Field threshold;  ///< stretch
-    std::optional<Weibull> weibull;
-    std::array<Field, 3> displacement;  ///< at the start
-    std::array<Field, 3> velocity;      ///< at the start
-    std::vector<Support> supports;
-    Scheme scheme;
-    double step;
-    std::int64_t steps;
-};
-
-/// Ties mass a of an entity to mass b of its neighbour on the upper side along an axis; a < b.
-struct Duplet {
-    std::size_t a;
-    std::size_t b;
-    std::size_t axis;
-
-    friend auto operator<=>(const Duplet&, const Duplet&) = default;
-};
 
 /// The decision of a sensor at a step. margin: distance of the stretch from the threshold, over the threshold.
 struct Decision {
@@ -77,6 +24,7 @@ struct Outcome {
     double smallest_margin;             ///< of all decisions
     std::vector<Vector> displacement;   ///< u by mass, m
     std::vector<Vector> increment;      ///< w by mass, m
+    std::size_t starting_unions;
     std::size_t unions;
 };
 

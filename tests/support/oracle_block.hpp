@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "support/oracle.hpp"
+#include "support/oracle_scene.hpp"
 
 namespace cracksim::oracle {
 
@@ -48,6 +48,26 @@ inline Vector rest_position(const Scene& scene, std::size_t mass) {
         position[i] = scene.origin[i] + static_cast<double>(at[i]) * scene.edge[i];
     }
     return position;
+}
+
+/// Where an entity's centre rests.
+inline Vector centre(const Scene& scene, std::size_t entity) {
+    Vector position = rest_position(scene, corners * entity);
+    for (std::size_t i = 0; i < 3; ++i) {
+        position[i] += 0.5 * scene.edge[i];
+    }
+    return position;
+}
+
+/// A notch parts the masses of two neighbouring entities.
+inline bool is_notched(const Scene& scene, std::size_t mass_a, std::size_t mass_b) {
+    const Vector a = centre(scene, mass_a / corners);
+    const Vector b = centre(scene, mass_b / corners);
+    return std::ranges::any_of(scene.notches, [&](const Notch& notch) {
+        const double from = dot(notch.normal, plus(a, -1, notch.point));
+        const double to = dot(notch.normal, plus(b, -1, notch.point));
+        return (from >= 0) != (to >= 0) && notch.contains(plus(a, from / (from - to), plus(b, -1, a)));
+    });
 }
 
 }  // namespace cracksim::oracle

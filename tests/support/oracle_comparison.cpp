@@ -121,7 +121,7 @@ Verdict compare_with_oracle(const GatheredRun& run, oracle::Scene scene) {
     scene.step = run.step_size;
     const oracle::Outcome outcome = oracle::run(scene);
     verdict.events = outcome.events.size();
-    verdict.splits = outcome.unions - (scene.cells[0] + 1) * (scene.cells[1] + 1) * (scene.cells[2] + 1);
+    verdict.splits = outcome.unions - outcome.starting_unions;
     verdict.margin = outcome.smallest_margin;
     compare_events(run, outcome, verdict);
     if (verdict.fault.empty() && !verdict.undecided) {

@@ -25,6 +25,7 @@ std::vector<Duplet> around(const Scene& scene, std::size_t mass) {
             found.push_back({opposite - corners * stride[axis], mass, axis});
         }
     }
+    std::erase_if(found, [&](const Duplet& duplet) { return is_notched(scene, duplet.a, duplet.b); });
     std::ranges::sort(found);
     return found;
 }

@@ -55,6 +55,8 @@ struct SceneDraft {
 
 void draw_block(SceneDraft& draft);
 void draw_matter(SceneDraft& draft);
+/// Cuts along and across the grid: rectangles, discs and triangles.
+void draw_notches(SceneDraft& draft);
 void draw_sensors(SceneDraft& draft);
 /// Draws an initial velocity, an initial displacement and supports, at least a velocity or supports.
 void draw_loads(SceneDraft& draft);

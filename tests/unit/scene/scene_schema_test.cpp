@@ -8,7 +8,7 @@
 
 #include "scene/scene_reader.hpp"
 
-namespace cracksim::simulation {
+namespace cracksim::scene {
 namespace {
 
 using Json = nlohmann::json;
@@ -27,9 +27,9 @@ TEST(SceneSchema, NamesTheKeysThatTheReaderKnows) {
     std::ifstream file{std::string{CRACKSIM_SOURCE_DIR} + "/inputs/scene.schema.json"};
     std::set<std::string> named;
     add_keys(Json::parse(file), "", named);
-    const std::vector<std::string> known = scene::known_keys();
+    const std::vector<std::string> known = known_keys();
     EXPECT_EQ(named, (std::set<std::string>{known.begin(), known.end()}));
 }
 
 }  // namespace
-}  // namespace cracksim::simulation
+}  // namespace cracksim::scene
