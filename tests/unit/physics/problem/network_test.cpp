@@ -113,5 +113,38 @@ TEST(Network, OneThresholdTakesNoMemory) {
     EXPECT_EQ(varied.memory_bytes(), uniform + varied.interior_faces().size() * duplets_per_face * sizeof(double));
 }
 
+/// A notch normal to x over the whole cross-section.
+Notch cut_at(double x) { return {"cut", PlanarSurface::rectangle({x, -1, -1}, {0, 9, 0}, {0, 0, 9}, 1)}; }
+
+TEST(Network, HasNoDupletWhereANotchCrossesBetweenTwoEntities) {
+    for (const DupletKind kind : {DupletKind::corners, DupletKind::tree}) {
+        test::SerialBlock block;
+        block.cells = {4, 3, 2};
+        block.duplets = kind;
+        block.notches = {cut_at(2.2)};
+        const Network network = block.network();
+        EXPECT_EQ(network.notched_faces().size(), 6U);
+        EXPECT_EQ(network.faces_of_notches(), (std::vector<std::int64_t>{6}));
+        for (const auto& [a, b] : duplets_of(network)) {
+            EXPECT_EQ(a / 8 % 4 < 2, b / 8 % 4 < 2) << a << ", " << b;
+        }
+    }
+}
+
+TEST(Network, TreeIsBuiltFromTheFacesThatANotchLeaves) {
+    test::SerialBlock block;
+    block.cells = {4, 3, 2};
+    block.duplets = DupletKind::tree;
+    block.notches = {cut_at(2)};
+    const Network network = block.network();
+    const std::set<Pair> tree = duplets_of(network);
+    network.for_each_touched_vertex([&](std::span<const LocalMass> masses) {
+        std::vector<LocalMass> left;
+        std::ranges::copy_if(masses, std::back_inserter(left), [](LocalMass m) { return m.value() / 8 % 4 < 2; });
+        const bool is_cut = !left.empty() && left.size() < masses.size();
+        EXPECT_EQ(within(tree, masses).size(), masses.size() - (is_cut ? 2 : 1));
+    });
+}
+
 }  // namespace
 }  // namespace cracksim::physics

@@ -71,7 +71,9 @@ TEST(SinglePrecision, FollowsDoubleToFourDigitsThroughAThousandSteps) {
     }
     EXPECT_GT(difference, 0);
     EXPECT_LT(difference / farthest, 1e-4);
-    const auto energy = [&](const test::Body& body) { return body.swept.elastic + kinetic_energy(network, body.state); };
+    const auto energy = [&](const test::Body& body) {
+        return body.swept.elastic + kinetic_energy(network, body.state);
+    };
     EXPECT_NEAR(energy(body_in_single) / energy(body_in_double), 1, 1e-4);
 }
 
