@@ -17,8 +17,9 @@ struct DupletEvent {
     friend auto operator<=>(const DupletEvent&, const DupletEvent&) = default;
 };
 
-/// The Mass-unions' state stream (Riffet et al. 2.2): each split union's new parts, by this rank's masses.
-/// Split s happened at step(s), time(s) and left parts(s) parts; a part's masses ascend, and parts ascend by first mass.
+/// The state stream of the Mass-unions (Riffet et al. 2.2): the parts of each union that split, as lists of this rank's
+/// masses. Split s happened at step(s), time(s) and left parts(s) parts. The masses of a part ascend, and parts ascend
+/// by their first masses.
 class SplitStream {
 public:
     [[nodiscard]] std::size_t size() const { return step_.size(); }

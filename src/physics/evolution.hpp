@@ -5,8 +5,8 @@
 
 namespace cracksim::physics {
 
-/// The evolution functions (Riffet et al. 2.2) at the current step: where each of this rank's masses is. Asked mass by
-/// mass, so that only what is drawn is looked up.
+/// The evolution functions (Riffet et al. 2.2) at the current step: the position of each mass of this rank. They are
+/// evaluated for single masses, so only the masses that a frame shows are looked up.
 class Evolution {
 public:
     virtual ~Evolution() = default;

@@ -6,7 +6,7 @@ namespace {
 
 constexpr double vanished = 1e-12;
 
-/// An interaction at a moment; of length 0 where its direction is not defined.
+/// The geometry of an interaction. The length is 0 if the direction is not defined.
 struct Kinematics {
     Vec3 direction;     ///< n
     double length;      ///< |d|, m
@@ -24,12 +24,12 @@ Kinematics kinematics(Vec3 rest, Vec3 du) {
     return {(1 / length) * d, length, elongation};
 }
 
-/// s, N.
+/// The tension s, N.
 double tension(const KelvinVoigt& constants, const Kinematics& now, Vec3 dv) {
     return constants.stiffness * now.elongation + constants.viscosity * dot(dv, now.direction);
 }
 
-/// a b^T
+/// The matrix a b^T.
 Matrix3 outer(Vec3 a, Vec3 b) { return {a.x * b, a.y * b, a.z * b}; }
 
 }  // namespace

@@ -8,7 +8,8 @@ namespace cracksim::physics {
 
 namespace {
 
-/// Highway gives better targets lower bits; the lowest one that is both compiled in and supported is used.
+/// In Highway, better targets have lower bits. The lowest bit among the targets that are compiled in and supported by
+/// the processor is the target in use.
 std::int64_t target_in_use() {
     const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS;
     return usable & -usable;

@@ -25,7 +25,7 @@ void start(const Network& network, const Initial& initial, State& state, Engine&
     engine.forces(state, Measure::nothing);
     for (const LocalUnion s : state.unions.advanced()) {
         const Vec3 v0 = state.velocity_increment(s);
-        // As in every step, a sum of forces that was flushed to -0 becomes +0.
+        // Adding zero changes a sum of forces that was flushed to -0 into +0, as in every step.
         const Vec3 a0 = state.dt2_over_mass(s) * (state.force(s) + Vec3{0, 0, 0});
         const Vec3 w0 = prescribed(network, state, s, v0 - 0.5 * a0, -0.5);
         const Vec3 before = prescribed(network, state, s, v0 - 1.5 * a0, -1.5);

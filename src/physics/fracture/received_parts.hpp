@@ -15,10 +15,10 @@ struct ReceivedPart {
     std::size_t mass;  ///< index into Network::received
     int part;
 };
-/// Sets new part numbers of received masses, in any order. A part that came off keeps the motion of its union.
+/// Sets new part numbers of received masses, in any order. A new part inherits the motion of its union.
 void set_received_parts(const Network& network, std::span<const ReceivedPart> parts, State& state, Engine& engine);
 
-/// The increments of a received mass at a start: w, and with ab2 what damping takes for it, m.
+/// The increments of a received mass at a start, m: w and the increment that damping uses (State::velocity_increment).
 struct ReceivedIncrements {
     Vec3 increment;
     Vec3 velocity_increment;

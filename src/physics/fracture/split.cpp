@@ -11,7 +11,7 @@ namespace cracksim::physics {
 
 namespace {
 
-/// What the parts of a union inherit from it.
+/// The motion that the parts inherit from their union.
 struct Inheritance {
     Vec3 displacement;
     Vec3 increment;
@@ -32,8 +32,8 @@ void inherit(const Network& network, State& state, LocalUnion s, const Inheritan
     state.set_dt2_over_mass(network, s);
 }
 
-/// Each part feels the forces on its own masses, from all interactions of their entities, by ascending mass: at this step no entity
-/// represents another one's edge.
+/// Sets the force on each part: the sum, by ascending mass, of the forces that all interactions of their entities exert
+/// on the part's masses. No entity represents an edge of another entity in this sum.
 void share_forces(std::span<const LocalMass> masses, State& state, const Engine& engine) {
     std::array<LocalEntity, Hexahedron::corners> entities;
     std::array<CornerForces, Hexahedron::corners> forces;
@@ -60,7 +60,7 @@ bool split_union(const Network& network, LocalUnion s, State& state, const Engin
         splits.add_part(part);
         unions.push_back(state.unions.assign(part));
     }
-    // A part's masses are its own only when all masses have their new numbers.
+    // The mass of a part is known only after all masses have their new part numbers.
     for (const LocalUnion part : unions) {
         inherit(network, state, part, left);
     }
@@ -71,7 +71,7 @@ bool split_union(const Network& network, LocalUnion s, State& state, const Engin
     return true;
 }
 
-/// The vertices of the masses that triggered duplets tie.
+/// The vertices of the masses that the triggered duplets tie.
 std::vector<VertexSite> vertices_of(const Network& network, std::span<const LocalDuplet> triggered) {
     std::vector<VertexSite> vertices;
     for (const LocalDuplet d : triggered) {

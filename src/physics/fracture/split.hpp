@@ -10,9 +10,9 @@
 
 namespace cracksim::physics {
 
-/// Inactivates the triggered duplets for good, all of them first; then each union that lost one splits into the connected
-/// components of its remaining duplets. Each part inherits position and velocity and feels the forces on its own masses. Returns the
-/// number of unions that split; they are appended to `splits`.
+/// Inactivates all triggered duplets, for good. Then splits each union that lost a duplet into the connected components
+/// of its remaining duplets. Each part inherits position and velocity, and its force is the sum of the forces on its
+/// own masses. Returns the number of unions that split and appends the splits to `splits`.
 std::size_t split(const Network& network, std::span<const LocalDuplet> triggered, State& state, Engine& engine,
                   SplitStream& splits);
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double longest_increment_in_edges = 100;
 
-/// A held or received union before a step. Its motion is corrected after the step of its row.
+/// The motion of a held or received union before a step. The motion is corrected after the step of its row.
 struct Before {
     LocalUnion local_union;
     Vec3 displacement;
@@ -28,14 +28,14 @@ double longest_increment(const Network& network) {
     return longest_increment_in_edges * std::max({edge.x, edge.y, edge.z});
 }
 
-/// With the bits of advance_component.
+/// Has the same bits as advance_component in advance_rows.cpp.
 void extrapolate(State& state, LocalUnion s, Vec3 now, Vec3 before) {
     if (state.scheme == Scheme::ab2) {
         state.set_velocity_increment(s, state.motion.rounded(1.5 * now) - state.motion.rounded(0.5 * before));
     }
 }
 
-/// The held components move as prescribed; the force that this takes does work on the union.
+/// Replaces the held components by the prescribed ones and adds the work of the support's force on the union.
 void correct_held(const Network& network, State& state, const Before& before) {
     const Vec3 free = state.increment(before.local_union);
     const Vec3 w = state.motion.rounded(prescribed(network, state, before.local_union, free, 0.5));
@@ -58,8 +58,8 @@ bool is_within(Vec3 w, double longest) {
     return std::abs(w.x) < longest && std::abs(w.y) < longest && std::abs(w.z) < longest;
 }
 
-/// The failure with the smallest mass; none if only received or empty places failed. Call before state.step is that of the new
-/// motion.
+/// The failure with the smallest mass; none if only received unions or empty places failed. Must be called before
+/// state.step is increased.
 std::optional<MotionFailure> find_failure(const Network& network, const State& state) {
     MotionFailure found{state.step + 1, MassId{}, true};
     state.unions.for_each_advanced([&](LocalUnion s, LocalMass smallest) {
@@ -75,7 +75,8 @@ std::optional<MotionFailure> find_failure(const Network& network, const State& s
 
 constexpr unsigned bit_of(int layer) { return 1U << static_cast<unsigned>(layer); }
 
-/// The layers whose unions' smallest masses are corners on a side.
+/// For each side, the layers of corners on that side. In a layer of the pool, the corner is that of the union's
+/// smallest mass.
 constexpr std::array<unsigned, Lattice::sides> layers_by_side = [] {
     std::array<unsigned, Lattice::sides> found{};
     for (int layer = 0; layer < layers; ++layer) {
@@ -84,9 +85,9 @@ constexpr std::array<unsigned, Lattice::sides> layers_by_side = [] {
     return found;
 }();
 
-/// Advances rows of vertices, each layer of a row just before the first row of entities that meets its unions: that of their smallest
-/// masses, or, where that is not local or the layer is the base, the first one that meets the vertices. So numbers come to the
-/// caches once for advance and forces.
+/// Advances rows of vertices. Each layer of a row is advanced just before the sweep of the first row of entities that
+/// meets its unions: the row of their smallest masses, or the first row that meets the vertices if the former row is
+/// not local or the layer is the base layer. So advance and forces load the numbers into the caches only once.
 class Advancer {
 public:
     Advancer(const Network& network, State& state, const LatticeCaches& caches, std::span<const Vec3> received)
@@ -106,17 +107,17 @@ public:
         }
     }
 
-    /// Some increment is not finite or too long.
+    /// True if an increment is not finite or too long.
     [[nodiscard]] bool failed() const { return failed_; }
 
 private:
-    /// The layers of a row's unions in the pool whose smallest masses are corners on a side; none where there are no unions.
+    /// The layers of corners on a side, without the base layer, if the pool has unions of this row and side; else none.
     [[nodiscard]] unsigned layers_in_pool(std::size_t row, std::size_t side) const {
         const bool any = state_->motion.first_pooled(row, side) != PoolPlace{};
         return any ? layers_by_side[side] & ~bit_of(base_layer) : 0U;
     }
 
-    /// The layers of a row of vertices to be advanced for a row of entities that has it on a side.
+    /// The layers of a row of vertices that must be advanced before a row of entities that has this row on a side.
     [[nodiscard]] unsigned met_first(std::size_t row, std::size_t cell_row, std::size_t side) const {
         const Lattice::VertexRow& vertices = state_->lattice().vertex_rows()[row];
         unsigned first = layers_in_pool(row, side);
@@ -212,7 +213,7 @@ private:
     double longest_;
     bool failed_{false};
     std::vector<Before> before_;
-    std::size_t held_count_{0};  ///< of these, the first
+    std::size_t held_count_{0};  ///< number of held unions; they come first in before_
 };
 
 }  // namespace

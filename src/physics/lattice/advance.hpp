@@ -10,7 +10,8 @@
 
 namespace cracksim::physics {
 
-/// Engine::advance on the lattice. Advance and forces go row by row, so that a motion is read and written once.
+/// Engine::advance on the lattice. It advances the unions and computes the forces row by row, so that each motion is
+/// read and written once.
 [[nodiscard]] Swept advance_and_sweep(const Network& network, State& state, LatticeCaches& caches,
                                       std::span<const Vec3> received, Measure measure);
 

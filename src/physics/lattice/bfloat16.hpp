@@ -6,11 +6,11 @@
 
 namespace cracksim::physics {
 
-/// The upper half of a number in single precision.
+/// A number of 16 bits: the upper half of a number in single precision.
 struct Bfloat16 {
     std::uint16_t bits;
 
-    /// The greatest that is not above a number.
+    /// The greatest Bfloat16 that is not above the value.
     [[nodiscard]] static Bfloat16 not_above(float value) {
         const auto bits = std::bit_cast<std::uint32_t>(value);
         const std::uint32_t away_from_zero = value < 0 && (bits & 0xffffU) != 0 ? 1 : 0;

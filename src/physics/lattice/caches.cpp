@@ -36,7 +36,7 @@ void LatticeCaches::update(const Network& network, State& state, std::span<const
     }
 }
 
-// Held unions only ever come to be, and the parts of one stay in its row.
+// Held unions are never removed, and the parts of a held union stay in its row.
 void LatticeCaches::add_held(const State& state) {
     for (; held_count_ < state.held.all().size(); ++held_count_) {
         const VertexSite v = vertex_of(state.held.all()[held_count_].local_union);

@@ -14,19 +14,19 @@
 
 namespace cracksim::physics {
 
-/// What the sweep over the lattice keeps beside the state to be fast. All of it follows from network and state.
+/// Data derived from network and state that make the sweep over the lattice fast.
 struct LatticeCaches {
     LatticeCaches(const Network& network, const State& state);
 
-    /// Brings pooled corners, representatives of edges, held and received unions up to date at vertices, each named once, where masses
-    /// changed their parts. May reorder the motion's pool.
+    /// Updates pooled corners, shared edges, held unions and received unions at the vertices where parts of masses
+    /// changed; each vertex must occur once. Does not update the limits. May reorder the motion's pool.
     void update(const Network& network, State& state, std::span<const VertexSite> reparted);
     [[nodiscard]] std::size_t memory_bytes() const;
 
     PooledHalves pooled;
     SharedEdges shared_edges;
     EdgeLimits limits;
-    std::vector<EdgeBits> exceeded;  ///< [batch]: edges stretched beyond their limits; written by the sweep
+    std::vector<EdgeBits> exceeded;  ///< [batch]: edges stretched beyond their limits, which the sweep marks
     std::vector<std::vector<std::size_t>> held_in_row;  ///< by vertex row: indices into HeldUnions::all
     ReceivedUnions received;
 

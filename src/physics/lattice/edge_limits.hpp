@@ -9,11 +9,12 @@
 
 namespace cracksim::physics {
 
-/// Of each entity's edges the quadratic_strain |d|^2/L0^2 - 1 up to which no sensor that reaches over the edge can trigger; infinite if there is none
-/// or the entity does not represent the edge. Beside them the lowest of half a batch: most sweeps need no more than that.
+/// The sensing limit of each entity's edges: the quadratic strain |d|^2/L0^2 - 1 up to which no sensor that reaches
+/// over the edge can trigger. It is infinite if there is no such sensor or the entity does not represent the edge. The
+/// lowest limit of each half batch is kept as well, because most sweeps need only this.
 class EdgeLimits {
 public:
-    /// All infinite.
+    /// All limits are infinite.
     explicit EdgeLimits(const Lattice& lattice);
 
     [[nodiscard]] Bfloat16 of(Site site, int edge) const { return by_edge_[place(site, edge)]; }

@@ -11,20 +11,21 @@
 
 namespace cracksim::physics {
 
-/// The forces of the interactions of a row of entities, from its vertex rows and onto them, as a part of one sweep over all rows in
-/// ascending order. A union's force is the sum over its masses in ascending order of their ids, of what their entities represent
-/// (merging.hpp); it is whole after the last row that meets its vertex.
+/// One sweep over all rows of entities, in ascending order, which adds the forces of the interactions to the unions.
+/// The force on a union is the sum over its masses, in ascending order of their ids, of the forces of the interactions
+/// that their entities represent (shared_edges.hpp). It is complete after the last row that meets its vertex.
 ///
-/// F_i = [ k e + z (v_j - v_i).n ] n  with  d = d0 + u_j - u_i,  n = d/|d|,  e = |d| - L0, from the quadratic_strain
-/// x = |d|^2/L0^2 - 1 = ((2 d0 + du).du) / L0^2, which is right however small: k e n = k g d with g = 1 - (1 + x)^(-1/2).
+/// F_i = [ k e + z (v_j - v_i).n ] n  with  d = d0 + u_j - u_i,  n = d/|d|,  e = |d| - L0. The sweep computes it from
+/// the quadratic strain x = |d|^2/L0^2 - 1 = ((2 d0 + du).du) / L0^2, which is accurate however small it is:
+/// k e n = k g d with g = 1 - (1 + x)^(-1/2).
 class ForceSweep {
 public:
-    /// Keeps references; for one sweep.
+    /// Keeps references to the arguments. Serves one sweep.
     ForceSweep(const Network& network, State& state, LatticeCaches& caches, Measure measure);
 
-    /// On the way marks the edges that are stretched beyond their limits in the caches.
+    /// Also marks the edges that are stretched beyond their limits, in LatticeCaches::exceeded.
     void sweep_row(std::size_t row);
-    /// The energies of the owned entities in the rows so far.
+    /// The energies of the owned entities in the rows swept so far.
     [[nodiscard]] Swept found() const;
 
 private:

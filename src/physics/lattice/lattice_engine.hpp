@@ -6,11 +6,11 @@
 
 namespace cracksim::physics {
 
-/// The engine for entities of 16 interactions on a regular lattice: SIMD sweeps over rows of entities along x. A copy serves a copy
-/// of the state.
+/// The engine for entities with 16 interactions on a regular lattice: SIMD sweeps over rows of entities along x. A copy
+/// of the engine serves a copy of the state.
 class LatticeEngine final : public Engine {
 public:
-    /// network must outlive this.
+    /// The engine serves this state. network must outlive this.
     LatticeEngine(const Network& network, const State& state);
 
     Swept forces(State& state, Measure measure) override;

@@ -11,11 +11,11 @@ namespace cracksim::physics {
 
 namespace {
 
-/// Of next increments; whole vectors.
+/// A whole number of vectors.
 constexpr std::size_t unions_at_a_time = 64;
 static_assert(unions_at_a_time % Lattice::lanes == 0);
 
-/// Of at most unions_at_a_time.
+/// Computes the next increments of at most unions_at_a_time unions, without supports.
 template <class Real>
 void find_some_increments(const State& state, std::span<const ListedUnions::Entry> unions, std::span<double> found) {
     using Components = std::array<Real, 3 * unions_at_a_time>;

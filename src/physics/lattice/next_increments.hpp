@@ -8,8 +8,7 @@
 
 namespace cracksim::physics {
 
-/// The increments of some touched unions in the coming advance, with its bits: increment i, m, is found[3 i], found[3 i + 1],
-/// found[3 i + 2].
+/// Engine::next_increments on the lattice.
 void find_next_increments(const Network& network, const State& state, std::span<const ListedUnions::Entry> unions,
                           std::span<double> found);
 

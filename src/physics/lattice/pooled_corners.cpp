@@ -9,7 +9,7 @@ namespace cracksim::physics {
 
 namespace {
 
-/// Adds a corner of the entities of half a batch, as far as it is in the pool.
+/// Adds one corner of the entities of half a batch, for those entities where it is in the pool.
 void add_corner(const Unions& unions, const Motion& motion, std::size_t half, std::size_t corner,
                 PooledCorners& found) {
     for (std::size_t lane = 0; lane < Lattice::half; ++lane) {

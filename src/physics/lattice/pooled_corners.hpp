@@ -13,13 +13,13 @@
 
 namespace cracksim::physics {
 
-/// The corners of the entities of half a batch whose motion is in the pool, by side, and there the upper ones along x before the lower
-/// ones: at each vertex by ascending masses.
+/// The corners of the entities of half a batch whose motion is in the pool. They are listed by side, and on each side
+/// the upper corners along x before the lower ones, so that the masses at each vertex ascend.
 struct PooledCorners {
     static constexpr std::size_t most = Hexahedron::corners * std::size_t{Lattice::half};
     static constexpr std::uint8_t all_lanes = (1U << Lattice::half) - 1;
 
-    /// By corner: a bit for each lane that is void or has that corner in the base layer.
+    /// By corner: one bit for each lane that is void or has that corner in the base layer.
     std::array<std::uint8_t, Hexahedron::corners> in_base;
     std::uint32_t count;
     std::array<PoolPlace, most> place;
@@ -29,14 +29,14 @@ struct PooledCorners {
     [[nodiscard]] std::size_t lane(std::size_t i) const { return which[i] % std::size_t{Lattice::half}; }
 };
 
-/// What the pool holds of the corners of all entities.
+/// The pooled corners of all entities, by half batch.
 class PooledHalves {
 public:
     explicit PooledHalves(const Lattice& lattice) : index_(lattice.halves(), -1) {}
 
-    /// Looks at all entities. Unions whose motion this rank needs have memory.
+    /// Finds the pooled corners of all entities. All unions whose motion this rank needs must have memory.
     void find(const Unions& unions, const Motion& motion);
-    /// Looks at the entities at some vertices.
+    /// Updates the half batches that have an entity at one of the vertices.
     void update(const Unions& unions, const Motion& motion, std::span<const VertexSite> vertices);
 
     /// [half of a batch]: index into halves, -1 where all corners are in the base layer.

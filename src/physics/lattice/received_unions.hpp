@@ -9,7 +9,8 @@
 
 namespace cracksim::physics {
 
-/// The unions of the received masses. Their owners advance them, and tell the same of all masses of a union: one of them will do.
+/// The unions of the received masses. All masses of a received union have the same increment, so only one of them is
+/// read.
 class ReceivedUnions {
 public:
     struct Entry {
@@ -19,9 +20,9 @@ public:
 
     ReceivedUnions(const Network& network, const Unions& unions);
 
-    /// Masses at these vertices have new labels.
+    /// Must be called with the vertices where masses have new part numbers.
     void update(const Network& network, const Unions& unions, std::span<const VertexSite> vertices);
-    /// Those at a row of vertices, each once.
+    /// The received unions at a row of vertices, each once.
     [[nodiscard]] std::span<const Entry> in_row(std::size_t row) const { return unions_in_row_[row]; }
     [[nodiscard]] std::size_t memory_bytes() const;
 

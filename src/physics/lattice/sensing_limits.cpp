@@ -8,7 +8,8 @@ namespace cracksim::physics {
 
 namespace {
 
-/// Of a length, for rounding. In single precision a quadratic strain x errs by seven roundings of products that are at most 8 (1 + x).
+/// Margins for rounding, relative to a length. In single precision the error of a quadratic strain x is that of seven
+/// roundings of products that are at most 8 (1 + x).
 constexpr double margin_in_double = 1e-12;
 constexpr double margin_in_single = 4e-6;
 

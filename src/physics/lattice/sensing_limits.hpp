@@ -9,20 +9,23 @@
 
 namespace cracksim::physics {
 
-/// The quadratic strain |d|^2/L0^2 - 1 up to which both edges under a sensor may go before the sensor can trigger, for the lowest
-/// threshold (a stretch) of the sensors. The edges are in line, so with stretches up to s the sum of their lengths is at most
-/// (1 + s) R0. A margin covers rounding: 1e-12 of a length in double, 4e-6 in single precision.
+/// The sensing limit for the lowest threshold (a stretch) of some sensors: while the quadratic strain |d|^2/L0^2 - 1 of
+/// both edges under a sensor is at most this limit, the sensor cannot trigger. The edges are in line, so if their
+/// stretches are at most s, the sum of their lengths is at most (1 + s) R0. A margin covers rounding: 1e-12 of a length
+/// in double, 4e-6 in single precision.
 [[nodiscard]] double strain_limit(double lowest_threshold, Precision precision);
 
-/// The largest number of single precision that is not above the limit.
+/// The largest number in single precision that is not above the limit.
 [[nodiscard]] float rounded_down(double limit);
 
-/// Sets the limits of the edges that go up along an axis from a vertex, by who represents them and which duplets are active.
+/// Sets the limits of the edges that go up along an axis from a vertex. They depend on the representatives of the edges
+/// and on the active duplets.
 void set_sensing_limits(const Network& network, const State& state, const SharedEdges& shared_edges, VertexSite lower,
                         int axis, EdgeLimits& limits);
 
-/// Calls action(duplet, end, entity) for the active duplets whose sensors reach over the edge of a copy: at the lower end (0), then
-/// at the upper one (1), of each copy merged with it, over the face that is normal to the edge.
+/// Calls action(duplet, end, entity) for the active duplets whose sensors reach over the edge of a copy. These are the
+/// duplets at the lower end (0) and then at the upper end (1) of each copy merged with it, across the face normal to
+/// the edge. entity: that of the copy.
 void for_each_sensor(const Network& network, const State& state, const EdgeCopies& copies, const EdgeCopy& here,
                      auto&& action) {
     const int axis = here.edge / HexahedronPairs::edges_per_axis;

@@ -10,12 +10,12 @@
 
 namespace cracksim::physics {
 
-/// One of the entities that share an edge of the lattice, and which of its edges that is.
+/// One of the entities that share an edge of the lattice, and the number of that edge in the entity.
 struct EdgeCopy {
     LocalEntity entity;
     int edge;
-    int lower_part;  ///< of the masses at its ends
-    int upper_part;
+    int lower_part;  ///< part number of the entity's mass at the lower end
+    int upper_part;  ///< and at the upper end
 };
 
 /// The up to four local copies of an edge, by ascending entity.
@@ -31,7 +31,7 @@ struct EdgeCopies {
 /// The copies of the edge that goes up along an axis from a vertex.
 [[nodiscard]] EdgeCopies edge_copies(const Unions& unions, VertexSite lower, int axis);
 
-/// The corner is at the lower ends of its entity's edges along an axis.
+/// True if the corner is at the lower end of its entity's edge along an axis.
 [[nodiscard]] constexpr bool is_lower(int corner, int axis) {
     return Hexahedron::offset[static_cast<std::size_t>(corner)][static_cast<std::size_t>(axis)] == 0;
 }
@@ -50,8 +50,8 @@ void for_each_edge_at(const Lattice& lattice, VertexSite v, auto&& action) {
     }
 }
 
-/// What an entity of an intact block represents: its diagonals and, of its edges, those that no smaller entity shares. first_x,
-/// first_y, first_z: no entity is before it along that axis.
+/// The interactions that an entity of an intact block represents, one bit each: its diagonals and those of its edges
+/// that it does not share with a smaller entity. first_x, first_y, first_z: no entity is before it along that axis.
 [[nodiscard]] constexpr unsigned represented_if_intact(bool first_x, bool first_y, bool first_z) {
     const std::array<bool, 3> first{first_x, first_y, first_z};
     unsigned represented = 0;
@@ -68,33 +68,38 @@ void for_each_edge_at(const Lattice& lattice, VertexSite v, auto&& action) {
     return represented;
 }
 
-/// Entities that share an edge and the unions at both its ends have the same visco-elastic interaction along it. The smallest of them
-/// represents it, for all: its force is computed once and counted as often. Who represents what follows from the split state alone.
+/// Entities that share an edge and the unions at both its ends have the same visco-elastic interaction along it. The
+/// smallest of these entities represents the edge: the force is computed once and multiplied by the number of the
+/// entities, the multiplicity. Representatives follow from the unions alone.
 class SharedEdges {
 public:
-    /// The rows of a batch's multiplicities: its interactions, then 1 for the entities that this rank owns.
+    /// The rows of a batch's multiplicities: one for each interaction, then a row with 1 for each entity that this rank
+    /// owns.
     static constexpr std::size_t rows = HexahedronPairs::count + 1;
     static constexpr std::size_t owned_row = HexahedronPairs::count;
     static constexpr std::size_t bytes_per_batch = rows * Lattice::lanes;
 
     SharedEdges(const Network& network, const Unions& unions);
 
-    /// How many entities' interaction this is that e represents: 0 if another one represents it, or if no union at its ends is advanced here.
+    /// The number of entities whose interaction e represents: 0 if another entity represents it, or if this rank
+    /// advances no union at its ends.
     [[nodiscard]] int multiplicity(const Unions& unions, LocalEntity e, int interaction) const {
         return multiplicity_[place(unions, e, static_cast<std::size_t>(interaction))];
     }
-    /// Brings the edges at a vertex up to date with the labels of its masses.
+    /// Updates the edges at a vertex after part numbers of its masses changed.
     void update(const Unions& unions, VertexSite v);
 
     /// [batch][row][lane]
     [[nodiscard]] const std::uint8_t* multiplicities() const { return multiplicity_.data(); }
-    /// [half of a batch]: bit i is set where some entity represents interaction i; bit `full` where no lane is void and all diagonals
-    /// are represented; bit `inside` where besides all represent just what entities inside an intact block do, and are this rank's.
+    /// [half of a batch]: bit i is set if an entity represents interaction i. Bit `full` is set if no lane is void and
+    /// all diagonals are represented. Bit `interior` is set if, in addition, the multiplicities of all entities are
+    /// those inside an intact block and this rank owns all of them.
     [[nodiscard]] const std::uint32_t* represented() const { return represented_.data(); }
     static constexpr unsigned full = HexahedronPairs::count;
     static constexpr unsigned interior = full + 1;
     static constexpr unsigned properties = 1U << full | 1U << interior;
-    /// Inside, the edges at corner 6, each for the four that share it, and the diagonals.
+    /// Inside an intact block, an entity represents its edges at corner 6, each for the four entities that share it,
+    /// and its diagonals.
     static constexpr unsigned interior_list = represented_if_intact(false, false, false);
     static_assert(interior_list == (1U << 3U | 1U << 7U | 1U << 10U | 0xfU << unsigned{HexahedronPairs::edges}));
     /// [row]
@@ -126,7 +131,7 @@ private:
     void set_multiplicity(const Unions& unions, LocalEntity e, int interaction, int multiplicity);
     void find_full_halves();
     void find_interior(std::size_t half);
-    /// All lanes of half a batch have this multiplicity.
+    /// True if all lanes of half a batch have this multiplicity.
     [[nodiscard]] bool all_have(std::size_t half, std::size_t row, std::uint8_t multiplicity) const;
     void update_edge(const Unions& unions, VertexSite lower, int axis);
 

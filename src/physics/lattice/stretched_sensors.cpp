@@ -25,14 +25,14 @@ void for_each_stretched(std::span<const EdgeBits> exceeded, auto&& action) {
     }
 }
 
-/// A number of an edge that ascends in the order of for_each_stretched.
+/// A number for each edge, ascending in the order of for_each_stretched.
 std::int64_t place_of_edge(Site site, int edge) {
     const std::int64_t row = std::int64_t{site.value() / Lattice::lanes} * HexahedronPairs::edges + edge;
     return row * Lattice::lanes + site.value() % Lattice::lanes;
 }
 
-/// By axis, the rest vector between the masses that a sensor watches: the edges under it are in line, and all entities have the same
-/// edges.
+/// For each axis, the rest vector between the two masses that a sensor measures. The two edges under a sensor are in
+/// line, and all entities have the same edges.
 std::array<Vec3, 3> upward_reaches(const EntityModel& model) {
     std::array<Vec3, 3> reach;
     for (std::size_t axis = 0; axis < reach.size(); ++axis) {
@@ -44,7 +44,7 @@ std::array<Vec3, 3> upward_reaches(const EntityModel& model) {
 }  // namespace
 
 void StretchedSensors::StretchedEdges::clear(const StretchedEdges& before) {
-    // A moment in which much breaks must not hold its memory to the end.
+    // A step in which much breaks must not keep its memory until the end of the run.
     if (sensors.capacity() > 4 * before.sensors.capacity()) {
         *this = {};
     }

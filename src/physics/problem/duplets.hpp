@@ -20,10 +20,10 @@ constexpr int duplets_per_face = Hexahedron::face_corners;
 [[nodiscard]] constexpr std::int32_t interior_face_of(LocalDuplet d) { return d.value() / duplets_per_face; }
 [[nodiscard]] constexpr int place_of(LocalDuplet d) { return d.value() % duplets_per_face; }
 
-/// Which duplets tie the masses that meet at a vertex.
+/// The choice of the duplets that tie the masses that meet at a vertex.
 enum class DupletKind : std::uint8_t {
-    corners,  ///< one at each corner of each shared face
-    tree  ///< of these the fewest that hold the masses together: a tree of each union, breadth first by ascending id
+    corners,  ///< one duplet at each corner of each shared face
+    tree      ///< of these, only those of a spanning tree of each union, found breadth first by ascending id
 };
 
 /// A duplet and the mass at its other end.
@@ -32,7 +32,7 @@ struct Tie {
     LocalMass mass;
 };
 
-/// A set of duplets of this rank: a bit for each duplet that an interior face can have.
+/// A set of duplets of this rank: one bit for each duplet that an interior face can have.
 class DupletSet {
 public:
     DupletSet() = default;

@@ -9,13 +9,15 @@
 
 namespace cracksim::physics {
 
-/// The interactions of a hexahedron as pairs of corners: four edges along x, four along y, four along z, four diagonals.
+/// The interactions of a hexahedron as pairs of corners: four edges along x, four along y, four along z, and four body
+/// diagonals.
 struct HexahedronPairs {
     static constexpr int edges = 12;
     static constexpr int diagonals = 4;
     static constexpr int count = edges + diagonals;
     static constexpr int edges_per_axis = 4;
-    /// The edges along x, y, z, and the diagonals: within a kind, constants are the same but for the signs of d0.
+    /// The kinds are the edges along x, along y and along z, and the diagonals. The interactions of a kind have the
+    /// same constants; only the signs of the components of d0 differ.
     static constexpr int per_kind = 4;
     static constexpr int kinds = count / per_kind;
     static_assert(per_kind == edges_per_axis && per_kind == diagonals);
@@ -53,7 +55,8 @@ private:
     }();
 };
 
-/// The smallest physical piece, the same everywhere in the block: masses at the corners of a box, 16 interactions.
+/// An entity, the smallest physical piece: a box with masses at its corners and 16 interactions. All entities of the
+/// block are equal.
 struct EntityModel {
     /// edge: lengths of the box, m; corner_mass: kg at each corner.
     EntityModel(Vec3 edge, double corner_mass, KelvinVoigt edges, KelvinVoigt diagonals);

@@ -11,8 +11,8 @@
 
 namespace cracksim::physics {
 
-/// A face shared by two local entities. Place k of a's cycle of corners meets one place of b's cycle; the corner there is
-/// corner_b(k). a is the smaller entity.
+/// A face shared by two local entities; a is the smaller one. Place k of a's cycle of corners meets one place of b's
+/// cycle, where b's corner is corner_b(k).
 struct InteriorFace {
     LocalEntity a;
     LocalEntity b;
@@ -24,7 +24,7 @@ struct InteriorFace {
     [[nodiscard]] int corner_b(int k) const {
         return Hexahedron::face[face_b][static_cast<std::size_t>(place_met(rotation, k))];
     }
-    /// The k at which a corner of a (or of b) stands, or -1 if the corner is not on the face.
+    /// The place k of a corner of a (or of b); -1 if the corner is not on the face.
     [[nodiscard]] int place_of_a(int corner) const { return Hexahedron::place_in_face(face_a, corner); }
     [[nodiscard]] int place_of_b(int corner) const {
         const int place = Hexahedron::place_in_face(face_b, corner);
@@ -42,7 +42,8 @@ public:
     [[nodiscard]] const InteriorFace& operator[](std::int32_t face) const {
         return faces_[static_cast<std::size_t>(face)];
     }
-    /// Index of the interior face on a face of an entity; -1 on the block's boundary or where the neighbour is not local.
+    /// Index of the interior face on a face of an entity; -1 if the face is on the block's boundary or the neighbour is
+    /// not local.
     [[nodiscard]] std::int32_t at(LocalEntity e, int face) const {
         return index_[e.index() * Hexahedron::faces + static_cast<std::size_t>(face)];
     }

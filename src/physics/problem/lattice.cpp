@@ -7,7 +7,7 @@ namespace cracksim::physics {
 
 namespace {
 
-/// z, then y: the order of rows is that of entities.
+/// (z, y) of a row. In this order of rows, entities ascend.
 using RowKey = std::array<std::int64_t, 2>;
 
 struct Extent {
@@ -21,7 +21,7 @@ RowKey vertex_key(RowKey cells, std::size_t side) {
     return {cells[0] + static_cast<std::int64_t>(side / 2), cells[1] + static_cast<std::int64_t>(side % 2)};
 }
 
-/// From a multiple of the lanes to one beyond the last cell's upper vertex.
+/// The extents of the rows along x. Both ends are multiples of the lanes, and the last cell's upper vertex is inside.
 std::map<RowKey, Extent> cell_extents(const Block& block, const IdArray<LocalEntity, EntityId>& entities) {
     std::map<RowKey, Extent> rows;
     for (const EntityId e : entities) {

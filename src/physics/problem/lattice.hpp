@@ -11,20 +11,23 @@
 
 namespace cracksim::physics {
 
-/// Place of an entity, or of a vertex, in this rank's rows. Places say nothing outside this rank and never reach a result's bits.
+/// The place of an entity, or of a vertex, in this rank's rows. Sites differ from rank to rank, and no bit of a result
+/// depends on them.
 using Site = Id<struct SiteTag, std::int32_t>;
 using VertexSite = Id<struct VertexSiteTag, std::int32_t>;
 
-/// The local entities and their vertices in rows along x, for sweeps over `lanes` neighbours at once. A row begins at a multiple
-/// of the lanes in the block, at or before its first local entity, and goes on to a multiple of the lanes beyond its last one: so
-/// the vertices of its entities fit in as many places. Places without a local entity are void. Entities that consecutive places
-/// hold have consecutive vertices.
+/// The numbering of the local entities and their vertices in rows along x, for sweeps over `lanes` neighbours at once.
+/// A row begins at a multiple of the lanes (counted from the block's boundary), at or before its first local entity,
+/// and ends at a multiple of the lanes beyond its last local entity, so the vertices of its entities fit into as many
+/// sites. Sites without a local entity are void. Entities at consecutive sites have vertices at consecutive sites.
 class Lattice {
 public:
     static constexpr int lanes = 8;
-    /// What vectors need to know of their entities' unions is kept for halves of a batch, the shorter ones of the vectors in use.
+    /// A batch is `lanes` consecutive sites. Data about the unions of a vector's entities are kept for each half of a
+    /// batch, the length of a vector of doubles with AVX2.
     static constexpr int half = lanes / 2;
-    /// Vertex rows that a row of cells meets, by lower/upper y + 2 * lower/upper z.
+    /// The vertex rows that a row of cells meets. side = i + 2 j, where i (j) is 0 on the lower and 1 on the upper side
+    /// along y (z).
     static constexpr std::size_t sides = 4;
     /// The lower and the upper corner along x on each side of an entity.
     static constexpr std::array<std::array<std::size_t, 2>, sides> corners_of_side{{{0, 1}, {3, 2}, {4, 5}, {7, 6}}};
@@ -35,13 +38,13 @@ public:
         std::int32_t first_batch;
         std::int32_t batches;
         std::array<std::int32_t, sides> vertex_row;
-        std::array<std::int32_t, sides> to_vertex;  ///< from a cell's site to its lower vertex there
+        std::array<std::int32_t, sides> to_vertex;  ///< site of a cell's lower vertex on a side, minus the cell's site
     };
     struct VertexRow {
         std::int32_t first;
         std::int32_t length;
         std::array<std::int32_t, sides>
-            cell_row;  ///< the row that has this one as its vertex_row[side]; -1: none is local
+            cell_row;  ///< the row of cells whose vertex_row[side] is this row; -1: this rank has no such row
 
         /// The first row of cells that meets this one.
         [[nodiscard]] std::int32_t first_cell_row() const {
@@ -60,7 +63,7 @@ public:
     [[nodiscard]] std::size_t vertex_sites() const { return row_of_vertices_.size() * lanes; }
 
     [[nodiscard]] Site site(LocalEntity e) const { return site_[e]; }
-    /// None on a void place.
+    /// None if the site is void.
     [[nodiscard]] LocalEntity entity(Site s) const { return entity_[s.index()]; }
     [[nodiscard]] VertexSite vertex(LocalMass m) const {
         const std::int32_t s = site(entity_of(m)).value();
@@ -107,7 +110,7 @@ public:
 
     [[nodiscard]] std::size_t memory_bytes() const;
 
-    /// The side of a corner's vertex row, and its place along x.
+    /// The side of an entity on which a corner is, and the corner's offset along x.
     [[nodiscard]] static constexpr std::size_t side(int corner) {
         const auto& o = Hexahedron::offset[static_cast<std::size_t>(corner)];
         return static_cast<std::size_t>(o[1]) + 2 * static_cast<std::size_t>(o[2]);

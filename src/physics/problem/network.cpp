@@ -128,7 +128,8 @@ void Network::set_thresholds(const Thresholds& thresholds) {
     });
 }
 
-/// In ascending order of duplets. Most blocks have one threshold: a list is made when there is a second one.
+/// The calls must be in ascending order of duplets. Most blocks have one threshold, so the list of thresholds is made
+/// only when a second value occurs.
 void Network::set_threshold(LocalDuplet duplet, double threshold, bool is_first) {
     if (is_first) {
         uniform_threshold_ = threshold;

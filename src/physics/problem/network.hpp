@@ -21,23 +21,24 @@
 
 namespace cracksim::physics {
 
-/// What a network is made of.
+/// The data from which a network is built.
 struct NetworkParts {
     Block block;
     EntityModel model;
-    IdArray<LocalEntity, EntityId> entities;   ///< local ones, ascending
-    IdArray<LocalEntity, std::uint8_t> owned;  ///< 1 where this rank is the owner
+    IdArray<LocalEntity, EntityId> entities;   ///< the local entities, ascending
+    IdArray<LocalEntity, std::uint8_t> owned;  ///< 1 if this rank owns the entity
     DupletKind duplets{DupletKind::corners};
     Thresholds thresholds;
     std::vector<Support> supports;
     std::vector<Notch> notches;
 };
 
-/// The problem on this rank, unchanged during a run: entities, duplets and their thresholds, supports, notches.
-/// Starting unions are the masses that meet at a vertex, parted by notches, with either kind of duplets.
+/// The problem on this rank: entities, duplets and their thresholds, supports, notches. It never changes during a run.
+/// The masses that meet at a vertex form one starting union, or several if notches separate them; both kinds of duplets
+/// give the same starting unions.
 class Network {
 public:
-    /// Errors found in thresholds are kept for the caller to agree on with the other ranks: see invalid_threshold().
+    /// An invalid threshold does not throw, because all ranks must throw the same error: see invalid_threshold().
     explicit Network(NetworkParts parts);
 
     [[nodiscard]] const Block& block() const { return block_; }
@@ -54,14 +55,14 @@ public:
     }
 
     [[nodiscard]] const InteriorFaces& interior_faces() const { return interior_faces_; }
-    /// Interior faces that notches open, ascending: no duplet ties their corners.
+    /// The interior faces that notches open, ascending. No duplet ties their corners.
     [[nodiscard]] const std::vector<std::int32_t>& notched_faces() const { return notched_faces_; }
-    /// How many interior faces each notch crosses, counted by the owner of the smaller entity.
+    /// The number of interior faces that each notch crosses, counted by the owner of the smaller entity.
     [[nodiscard]] const std::vector<std::int64_t>& faces_of_notches() const { return faces_of_notches_; }
     [[nodiscard]] bool is_notched(std::int32_t interior_face) const;
 
-    /// The place of a duplet between a mass and the mass that meets it over a face of its entity, whether the duplet exists
-    /// or not; none where there is no interior face or the mass is not on the face.
+    /// The id of the duplet that ties a mass to the mass that meets it across a face of its entity, whether or not the
+    /// duplet exists. None if the face is not an interior face or the mass is not on it.
     [[nodiscard]] std::optional<LocalDuplet> duplet_over(LocalMass m, int face) const {
         const LocalEntity e = entity_of(m);
         const std::int32_t index = interior_faces_.at(e, face);
@@ -72,7 +73,7 @@ public:
         const int k = shared.a == e ? shared.place_of_a(corner_of(m)) : shared.place_of_b(corner_of(m));
         return k < 0 ? std::nullopt : std::optional{local_duplet(index, k)};
     }
-    /// The same place with the mass that meets this one.
+    /// The same duplet with the mass at its other end.
     [[nodiscard]] std::optional<Tie> tie_over(LocalMass m, int face) const;
     /// The duplets that exist and tie masses of touched unions.
     [[nodiscard]] const DupletSet& duplets() const { return duplets_; }
@@ -88,10 +89,10 @@ public:
     }
 
     [[nodiscard]] const Lattice& lattice() const { return *lattice_; }
-    /// The same; it does not move with the network.
+    /// The same lattice; its address does not change if the network is moved.
     [[nodiscard]] const std::shared_ptr<const Lattice>& shared_lattice() const { return lattice_; }
-    /// Calls action(masses) with the masses, ascending, that meet at each touched vertex: one where this rank owns a mass.
-    /// All masses of a touched vertex are local.
+    /// Calls action(masses) for each touched vertex, that is, each vertex where this rank owns a mass. masses: all
+    /// masses that meet there, ascending; all of them are local.
     template <class Action>
     void for_each_touched_vertex(Action&& action) const {
         for_each_vertex([&](std::span<const LocalMass> masses, bool touched) {
@@ -100,18 +101,18 @@ public:
             }
         });
     }
-    /// Local masses at vertices that are not touched, ascending: their motion comes from the owners of their entities.
+    /// The local masses at vertices that are not touched, ascending. The owners of their entities send their motion.
     [[nodiscard]] const std::vector<LocalMass>& received() const { return received_; }
     [[nodiscard]] const std::vector<Support>& supports() const { return supports_; }
 
-    /// Describes a threshold of this rank that is not a number or not above zero, if there is one.
+    /// Describes a threshold on this rank that is not a number or not above zero, if there is one.
     [[nodiscard]] const std::optional<std::string>& invalid_threshold() const { return invalid_threshold_; }
 
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
     void find_received();
-    /// Calls action(masses, touched) with the local masses at each vertex that has some, ascending.
+    /// Calls action(masses, touched) for each vertex with local masses. masses: these masses, ascending.
     template <class Action>
     void for_each_vertex(Action&& action) const {
         std::vector<LocalMass> masses;

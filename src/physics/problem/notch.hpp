@@ -6,8 +6,8 @@
 
 namespace cracksim::physics {
 
-/// A cut that is there from the start: no duplet ties the two entities of an interior face whose centres' connecting line
-/// crosses the surface.
+/// A cut that exists from the start. If the line between the centres of two neighbouring entities crosses the surface,
+/// no duplet ties these entities across their interior face.
 struct Notch {
     std::string name;
     PlanarSurface surface;

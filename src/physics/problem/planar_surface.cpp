@@ -14,7 +14,7 @@ namespace {
 using Point2 = std::array<double, 2>;
 
 constexpr double tolerance_of_scale = 1e-9;
-/// Of a polygon's extent: how far its corners may lie off its plane.
+/// The largest distance of a polygon's corner from its plane, relative to the polygon's extent.
 constexpr double flatness = 1e-6;
 
 double largest_component(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
@@ -48,7 +48,7 @@ double distance(Point2 at, Point2 a, Point2 b) {
     return std::hypot(from[0] - along * side[0], from[1] - along * side[1]);
 }
 
-/// Two segments have a point in common.
+/// True if two segments have a point in common.
 bool segments_meet(Point2 a, Point2 b, Point2 c, Point2 d, double tolerance) {
     const double c_side = cross2(minus(b, a), minus(c, a));
     const double d_side = cross2(minus(b, a), minus(d, a));
@@ -77,7 +77,7 @@ bool sides_cross(const std::vector<Point2>& outline, double tolerance) {
 
 PlanarSurface::PlanarSurface(Vec3 origin, Vec3 normal, double scale)
     : origin_{origin}, normal_{(1 / norm(normal)) * normal}, axis_{}, tolerance_{tolerance_of_scale * scale} {
-    // The axis of space that is farthest from the normal gives the first axis of the plane.
+    // The coordinate axis that is farthest from the normal determines the first axis of the plane.
     Vec3 far;
     const Vec3 size{std::abs(normal_.x), std::abs(normal_.y), std::abs(normal_.z)};
     far[size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2] = 1;
@@ -134,7 +134,7 @@ bool PlanarSurface::crosses(Vec3 from, Vec3 to) const {
     if (start_is_on_normals_side == end_is_on_normals_side) {
         return false;
     }
-    // A point on the plane may lie a tolerance beyond it.
+    // A point that counts as on the plane may lie beyond it by up to the tolerance.
     const double share = std::clamp(start / (start - end), 0.0, 1.0);
     return is_inside(in_plane(from + share * (to - from)));
 }

@@ -10,31 +10,31 @@
 
 namespace cracksim::physics {
 
-/// A bounded part of a plane: a polygon or a disc, with a normal that tells its two sides apart. All lengths in m.
+/// A bounded part of a plane, a polygon or a disc. Its normal distinguishes its two sides. All lengths are in m.
 ///
-/// A point closer to the plane than the tolerance counts as on it, and a point on the plane counts on the normal's side.
-/// A crossing closer to the rim than the tolerance counts as inside. The tolerance is 1e-9 of the scale given at
-/// construction (the shortest edge of an entity), so rounding decides nothing.
+/// A point whose distance from the plane is below the tolerance counts as on the plane, and a point on the plane counts
+/// as on the normal's side. A crossing whose distance from the rim is below the tolerance counts as inside. The
+/// tolerance is 1e-9 of the scale given at construction (the shortest edge of an entity), so results do not depend on
+/// rounding.
 class PlanarSurface {
 public:
-    /// The disc of a centre, a normal of any length and a radius. Throws std::invalid_argument that says why the disc is
-    /// degenerate.
+    /// A disc. The normal may have any length. Throws std::invalid_argument with the reason if the disc is degenerate.
     [[nodiscard]] static PlanarSurface disc(Vec3 centre, Vec3 normal, double radius, double scale);
-    /// The simple polygon of its corners in order, convex or not; the normal follows from the order by the right-hand rule.
-    /// Throws std::invalid_argument that says why the polygon is degenerate: fewer than three corners, no area, corners off
-    /// the plane, or sides that cross.
+    /// A simple polygon, convex or not. The order of its corners determines the normal by the right-hand rule. Throws
+    /// std::invalid_argument with the reason if the polygon is degenerate: fewer than three corners, no area, corners
+    /// off the plane, or sides that cross.
     [[nodiscard]] static PlanarSurface polygon(std::span<const Vec3> corners, double scale);
-    /// The parallelogram of a corner and two sides; its normal points along the cross product of the sides.
+    /// A parallelogram, given by a corner and two sides. Its normal points along the cross product of the sides.
     [[nodiscard]] static PlanarSurface rectangle(Vec3 corner, Vec3 along, Vec3 across, double scale);
 
-    /// The two points are on different sides of the plane, and the line between them crosses it inside the surface.
+    /// True if the two points are on different sides of the plane and the line between them crosses the surface.
     [[nodiscard]] bool crosses(Vec3 from, Vec3 to) const;
-    /// Lower and upper corner of the box around the surface.
+    /// Lower and upper corner of the surface's bounding box.
     [[nodiscard]] std::array<Vec3, 2> bounds() const;
     [[nodiscard]] Vec3 normal() const { return normal_; }
 
 private:
-    /// A point of the plane along its two axes, from origin_.
+    /// Coordinates of a point of the plane along its two axes, from origin_.
     using Point2 = std::array<double, 2>;
 
     PlanarSurface(Vec3 origin, Vec3 normal, double scale);

@@ -9,7 +9,7 @@ namespace cracksim::physics {
 
 namespace {
 
-/// Numbers end at 1e-38 and 1e38; so much remains for their products with strains and increments.
+/// Single precision covers 1e-38 to 1e38. This limit leaves a margin for products with strains and increments.
 constexpr double largest = 1e25;
 
 struct Number {

@@ -29,7 +29,7 @@ double largest_eigenvalue(const Matrix& matrix) {
 
 double damping_weight(Scheme scheme) { return scheme == Scheme::cordis ? 2.0 : 4.0; }
 
-/// The positive root of a dt^2 + b dt = 4 in the form that stays exact for a = 0 or b = 0.
+/// The positive root of a dt^2 + b dt = 4, in the form that is exact for a = 0 or b = 0 too.
 double positive_root(double a, double b) { return 8.0 / (b + std::sqrt(b * b + 16.0 * a)); }
 
 }  // namespace
@@ -39,7 +39,8 @@ StepBound step_bound(const EntityModel& model, Scheme scheme) {
     const Matrix viscosity = damping_weight(scheme) * laplacian(model, &KelvinVoigt::viscosity) / model.corner_mass;
     const double a = largest_eigenvalue(stiffness);
     const double b = largest_eigenvalue(viscosity);
-    // The largest eigenvalue of the sum is at most the sum of the largest, so this root is safe; bisection finds the exact one.
+    // The largest eigenvalue of a sum is at most the sum of the largest eigenvalues, so the first root is safe.
+    // Bisection finds the exact one.
     double safe = positive_root(a, b);
     double unsafe = positive_root(a, 0.0);
     for (int i = 0; i < 60 && unsafe - safe > 1e-15 * safe; ++i) {

@@ -8,7 +8,8 @@
 
 namespace cracksim::physics {
 
-/// Prescribed velocity of the masses whose rest position is inside a box; an empty component is free. m/s, of (m, s).
+/// Prescribes the velocity of the masses whose rest positions are in a box: m/s, as a function of rest position (m) and
+/// time (s). An empty component is free.
 struct Support {
     std::string name;
     std::array<Vec3, 2> box;

@@ -7,7 +7,7 @@
 
 namespace cracksim::physics {
 
-/// Describes two supports that prescribe the same component of the same mass on this rank; none: there is no conflict.
+/// Describes two supports that prescribe the same component of the same mass on this rank, if there are such supports.
 [[nodiscard]] std::optional<std::string> support_conflict(const Network& network);
 
 }  // namespace cracksim::physics

@@ -14,8 +14,8 @@ struct Weibull {
     std::uint64_t seed;
 };
 
-/// The threshold (stretch) of each duplet: a field at the rest position, times a Weibull factor of mean 1 that depends on the
-/// seed and the duplet's masses only, so it is the same on any ranks.
+/// The threshold of each duplet, a stretch: the value of a field at the rest position, times a Weibull factor of mean
+/// 1. The factor depends on the seed and the duplet's masses only, so it is the same on any number of ranks.
 struct Thresholds {
     std::function<double(Vec3)> field;
     std::optional<Weibull> weibull;

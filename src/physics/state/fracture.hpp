@@ -4,8 +4,8 @@
 
 namespace cracksim::physics {
 
-/// How far a body has broken: the duplets of its network that are inactive. Default-made: a whole body. Notches are not part of
-/// it, as no duplet exists there.
+/// The fracture of a body: the inactive duplets of its network. Default-constructed: a whole body. Notches are not part
+/// of it, because no duplet exists there.
 struct Fracture {
     DupletSet inactive;
 };

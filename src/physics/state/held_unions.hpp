@@ -14,20 +14,20 @@
 
 namespace cracksim::physics {
 
-/// A union held by supports: for each component the support that prescribes it, -1 if the component is free.
+/// A union that supports hold. For each component: the support that prescribes it, -1 if the component is free.
 struct HeldUnion {
     LocalUnion local_union;
     Vec3 rest;  ///< m
     std::array<std::int16_t, 3> support;
 };
 
-/// The touched unions that supports hold, and the work of the supports. Where two supports prescribe one component, the first
-/// one in the scene does so (support_conflict refuses such scenes).
+/// The touched unions that supports hold, and the work of the supports. If two supports prescribe the same component,
+/// the first one in the scene counts; support_conflict() detects such scenes, and a run refuses them.
 class HeldUnions {
 public:
     HeldUnions(const Network& network, const Unions& unions);
 
-    /// In the order in which they came to be.
+    /// In the order in which they were added.
     [[nodiscard]] const std::vector<HeldUnion>& all() const { return all_; }
     [[nodiscard]] bool empty() const { return all_.empty(); }
     /// Null if supports do not hold the union.
@@ -35,11 +35,12 @@ public:
         const auto found = place_.find(s);
         return found == place_.end() ? nullptr : &all_[found->second];
     }
-    /// A held union has split: each part is held. The first part takes the place of the whole union.
+    /// Replaces a held union that has split by its parts, which are all held. The first part takes the place of the
+    /// whole union.
     void split(LocalUnion whole, std::span<const LocalUnion> parts);
     [[nodiscard]] std::size_t memory_bytes() const { return all_.capacity() * sizeof(HeldUnion); }
 
-    double work{0};  ///< J, of the supports on the unions that this rank owns, since step 0
+    double work{0};  ///< work of the supports on the unions that this rank owns, since step 0, J
 
 private:
     void add(const HeldUnion& held);

@@ -4,7 +4,7 @@ namespace cracksim::physics {
 
 namespace {
 
-/// dt v(n).
+/// dt v(n), m.
 Vec3 centred_increment(const State& state, LocalUnion s) {
     const Vec3 half_kick = 0.5 * state.dt2_over_mass(s) * state.force(s);
     Vec3 increment = state.increment(s);
@@ -16,7 +16,8 @@ Vec3 centred_increment(const State& state, LocalUnion s) {
     return increment;
 }
 
-/// Not the same as receiving nothing: a rank may touch all the vertices of another's entity.
+/// True if this rank owns all its local entities. A rank that receives no masses may still hold a halo entity, if it
+/// touches all vertices of that entity.
 bool owns_all(const Network& network) {
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
         if (!network.owned(e)) {

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t lanes = Lattice::lanes;
 
-/// In whole vectors, of doubles in whole cache lines, and so that the components of a vertex fall on different sets of the cache.
+/// The distance between two components in the base layer: a whole number of vectors, which are whole cache lines for
+/// doubles, such that the components of a vertex fall into different sets of the cache.
 std::size_t stride_for(std::size_t sites) {
     constexpr std::size_t lines_of_page = 64;
     constexpr std::size_t apart = 11;
@@ -27,7 +28,7 @@ std::variant<MotionNumbers<double>, MotionNumbers<float>> numbers_in(Precision p
     return MotionNumbers<double>{base_size};
 }
 
-/// Calls action(quantity, components) for what a union holds.
+/// Calls action(quantity, components) for each quantity of a union.
 void for_each_quantity(bool extrapolates, auto&& action) {
     action(Quantity::displacement, 3);
     action(Quantity::increment, 3);

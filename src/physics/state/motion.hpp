@@ -16,11 +16,11 @@
 
 namespace cracksim::physics {
 
-/// Stands for a Mass-union: 8 * vertex + layer. The layers of a vertex are for the parts that its masses fell into.
+/// A Mass-union on this rank: 8 * vertex site + layer. Each part of the masses at a vertex has a layer of its own.
 using LocalUnion = Id<struct LocalUnionTag, std::int32_t>;
 
 constexpr int layers = 8;
-/// Holds the part with the vertex's smallest mass, and so every whole union but lone masses.
+/// The layer of the part with the vertex's smallest mass, so of every whole union except a lone mass.
 constexpr int base_layer = 6;
 [[nodiscard]] constexpr LocalUnion local_union(VertexSite v, int layer) {
     return LocalUnion{v.value() * layers + layer};
@@ -28,11 +28,12 @@ constexpr int base_layer = 6;
 [[nodiscard]] constexpr VertexSite vertex_of(LocalUnion s) { return VertexSite{s.value() / layers}; }
 [[nodiscard]] constexpr int layer_of(LocalUnion s) { return s.value() % layers; }
 
-/// What the motion and its forces are kept and computed in, by IEEE 754's names. Thresholds, positions and energies are in double.
+/// The IEEE 754 format in which the motion and its forces are stored and computed. Thresholds, positions and energies
+/// are in double.
 enum class Precision { binary64, binary32 };
 
-/// What a union holds, as the first of its components: u (m), w (m), the force on the union (N), dt^2/M (s^2/kg), and with ab2
-/// what damping takes for w (m).
+/// The quantities of a union, each by the index of its first component: u (m), w (m), the force on the union (N),
+/// dt^2/M (s^2/kg), and for ab2 the extrapolated increment that damping uses instead of w (m).
 struct Quantity {
     static constexpr std::size_t displacement = 0;
     static constexpr std::size_t increment = 3;
@@ -41,7 +42,7 @@ struct Quantity {
     static constexpr std::size_t extrapolated = 10;
 };
 
-/// Whole cache lines, for aligned vectors.
+/// Allocates memory that begins at a cache line, so that vectors are aligned.
 template <class T>
 struct LineAllocator {
     using value_type = T;
@@ -56,16 +57,16 @@ struct LineAllocator {
     friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
 };
 
-/// Place of a union's numbers in the pool.
+/// The place of a union's numbers in the pool.
 using PoolPlace = Id<struct PoolPlaceTag, std::int32_t>;
 
-/// What the pool holds of a union, one after the other: u and dt^2/M, then w, the force, and with ab2 what damping takes for w, each
-/// with a zero.
+/// The layout of a union in the pool: u and dt^2/M; w and a zero; the force and a zero; for ab2, the extrapolated
+/// increment and a zero.
 struct Pooled {
     static constexpr std::size_t together = 4;
     static constexpr std::size_t dt2_over_mass = 3;
 
-    /// Of a quantity's first component; the others follow.
+    /// The place of a quantity's first component; the other components follow.
     [[nodiscard]] static constexpr std::size_t at(std::size_t quantity) {
         return quantity == Quantity::dt2_over_mass ? dt2_over_mass : (quantity + 1) / 3 * together;
     }
@@ -84,9 +85,9 @@ public:
     [[nodiscard]] Real* pool() { return pool_.data(); }
     [[nodiscard]] const Real* pool() const { return pool_.data(); }
     [[nodiscard]] std::size_t pool_size() const { return pool_.size(); }
-    /// Zeros for one more union.
+    /// Appends zeros for one more union.
     void extend_pool(std::size_t numbers_of_union);
-    /// What was at the place order[i] is at the place i.
+    /// Moves the union at place order[i] to place i, for all i.
     void reorder_pool(std::size_t numbers_of_union, std::span<const PoolPlace> order);
     [[nodiscard]] std::size_t memory_bytes() const { return (base_.capacity() + pool_.capacity()) * sizeof(Real); }
 
@@ -95,8 +96,9 @@ private:
     std::vector<Real, LineAllocator<Real>> pool_;
 };
 
-/// The motion of all unions of this rank. The base layer has a place for each vertex, component after component. Unions of the other
-/// layers, which came of unions that fell apart, have theirs in the pool: in the order in which the sweep meets them, but for the last ones.
+/// The motion of all unions of this rank. The base layer has a place for each vertex site, component after component.
+/// Unions in the other layers (parts of unions that split, and lone masses) are in the pool, union after union. The
+/// pool is in the order in which the sweep meets the unions, except for those added since the last ordering.
 class Motion {
 public:
     Motion(const Lattice& lattice, bool extrapolates, Precision precision);
@@ -104,18 +106,18 @@ public:
     [[nodiscard]] Precision precision() const {
         return std::holds_alternative<MotionNumbers<float>>(numbers_) ? Precision::binary32 : Precision::binary64;
     }
-    /// A number as the motion keeps it.
+    /// A number as the motion stores it.
     [[nodiscard]] double rounded(double value) const {
         if (precision() == Precision::binary64) {
             return value;
         }
-        // GCC 12 leaves two conversions in a row out where it makes a vector of several numbers; not over memory.
+        // GCC 12 drops two successive conversions when it vectorizes several calls. A volatile variable prevents this.
         const volatile auto single = static_cast<float>(value);
         return single;
     }
     [[nodiscard]] Vec3 rounded(Vec3 value) const { return {rounded(value.x), rounded(value.y), rounded(value.z)}; }
 
-    /// Makes sure that a union has memory; what is new is zero. May move the pool.
+    /// Ensures that a union has memory; new memory is zero. May move the pool.
     void open(LocalUnion s);
     [[nodiscard]] Vec3 get(LocalUnion s, std::size_t quantity) const {
         const auto values = [&](const auto& numbers) {
@@ -130,40 +132,41 @@ public:
             [&](const auto& numbers) -> double { return *place(numbers, s, Quantity::dt2_over_mass).first; }, numbers_);
     }
     void set_dt2_over_mass(LocalUnion s, double value);
-    /// All components of a union to another one, which has memory.
+    /// Copies all components of a union to another union, which must have memory.
     void copy(LocalUnion from, LocalUnion to);
-    /// All components of a union to zero.
+    /// Sets all components of a union to zero.
     void clear(LocalUnion s);
-    /// The forces of all unions to zero.
+    /// Sets the forces of all unions to zero.
     void clear_forces();
 
-    /// The numbers; of the motion's own precision.
+    /// The numbers. Real must be the motion's precision.
     template <class Real>
     [[nodiscard]] MotionNumbers<Real>& in() {
         return std::get<MotionNumbers<Real>>(numbers_);
     }
     [[nodiscard]] std::size_t base_stride() const { return base_stride_; }
-    /// From one union to the next in the pool.
+    /// Distance from one union to the next in the pool.
     [[nodiscard]] std::size_t pool_stride() const { return pool_stride_; }
-    /// None for what is in the base layer or has no memory.
+    /// None if the union is in the base layer or has no memory.
     [[nodiscard]] PoolPlace pool_place(LocalUnion s) const {
         const std::int32_t index = pooled_at_[vertex_of(s).index()];
         return index < 0 ? PoolPlace{}
                          : places_[static_cast<std::size_t>(index)][static_cast<std::size_t>(layer_of(s))];
     }
-    /// Of the unions in the pool that are at a row of vertices, in layers of corners on a side, the first; none: the default id.
+    /// The first pooled union at a row of vertices whose layer is a corner on a side, or none.
     [[nodiscard]] PoolPlace first_pooled(std::size_t row, std::size_t side) const { return first_pooled_[row][side]; }
-    /// [place in the pool]: the next one of the same row and side, or none.
+    /// [place in the pool]: the next union of the same row and side, or none.
     [[nodiscard]] const PoolPlace* next_pooled() const { return next_pooled_.data(); }
-    /// So many unions came to the pool since it was in order that the sweep would miss the caches.
+    /// True if so many unions were added since the last ordering that the sweep would miss the caches.
     [[nodiscard]] bool is_disordered() const;
-    /// Puts the pool in order: what a row of cells meets first together. Changes all places there.
+    /// Orders the pool: unions that the same row of cells meets first become neighbours. Changes all places in the
+    /// pool.
     void order_pool(const Lattice& lattice);
 
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
-    /// A quantity's first component, and how far it is to the next.
+    /// The first component of a quantity and the distance to the next component.
     template <class T>
     struct Components {
         T* first;
@@ -184,16 +187,17 @@ private:
     }
 
     void order_by_vertex();
-    /// Gives the unions of a row of vertices and a side the next places in a new order, of old ones.
+    /// Appends the old places of the unions at a row of vertices and on a side to `order`, and gives these unions their
+    /// new places.
     void append_pooled(const Lattice& lattice, std::size_t row, std::size_t side, std::vector<PoolPlace>& order);
 
     bool extrapolates_;
     std::size_t base_stride_;
     std::size_t pool_stride_;
     std::variant<MotionNumbers<double>, MotionNumbers<float>> numbers_;
-    std::vector<std::int32_t> row_of_group_;  ///< by group of as many vertices as there are lanes
-    std::vector<std::int32_t> pooled_at_;     ///< by vertex: index into places_, -1 if the pool has none of its unions
-    std::vector<PlacesOfVertex> places_;      ///< by layer
+    std::vector<std::int32_t> row_of_group_;  ///< vertex row by group of `lanes` vertex sites
+    std::vector<std::int32_t> pooled_at_;     ///< by vertex site: index into places_, -1 if no union of it is pooled
+    std::vector<PlacesOfVertex> places_;      ///< for each vertex with pooled unions: their places by layer
     std::vector<std::array<PoolPlace, Lattice::sides>> first_pooled_;  ///< by row of vertices and side
     std::vector<PoolPlace> next_pooled_;
     std::size_t disordered_{0};

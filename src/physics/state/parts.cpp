@@ -7,7 +7,7 @@ namespace cracksim::physics {
 
 namespace {
 
-/// The mass that an active duplet over a face ties to this one; none: the default id.
+/// The mass that an active duplet across a face ties to this mass, or none.
 LocalMass tied_over(const Network& network, const DupletSet& active, LocalMass m, int face) {
     const auto tie = network.tie_over(m, face);
     return tie && active.contains(tie->duplet) ? tie->mass : LocalMass{};

@@ -8,8 +8,8 @@
 
 namespace cracksim::physics {
 
-/// The connected components of masses of a vertex under active duplets. masses: ascending. Each part ascends, and parts ascend
-/// by their first masses.
+/// The connected components of some masses of a vertex under the active duplets. masses: ascending. The masses of a
+/// part ascend, and parts ascend by their first masses.
 [[nodiscard]] std::vector<std::vector<LocalMass>> connected_parts(const Network& network, const DupletSet& active,
                                                                   std::span<const LocalMass> masses);
 

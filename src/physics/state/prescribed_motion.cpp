@@ -6,8 +6,8 @@ namespace cracksim::physics {
 
 namespace {
 
-/// A support's velocity at a time; before the start, where its expression need not make sense, by the line through its values at 0
-/// and as long after the start.
+/// The velocity of a support at time t. Before the start, where its expression may be undefined, the velocity is
+/// extrapolated linearly from the values at times 0 and -t.
 double velocity_at(const std::function<double(Vec3, double)>& velocity, Vec3 rest, double t) {
     return t >= 0 ? velocity(rest, t) : 2 * velocity(rest, 0) - velocity(rest, -t);
 }

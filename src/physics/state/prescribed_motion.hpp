@@ -6,8 +6,8 @@
 
 namespace cracksim::physics {
 
-/// A union's increment with the held components replaced by dt v(rest, t(n) + offset dt), m; offset 0.5 is the midpoint of the
-/// coming step.
+/// A union's increment, m: `free` with the held components replaced by dt v(rest, t(n) + offset dt). Offset 0.5 is the
+/// middle of the next step.
 [[nodiscard]] Vec3 prescribed(const Network& network, const State& state, LocalUnion s, Vec3 free, double offset);
 
 }  // namespace cracksim::physics

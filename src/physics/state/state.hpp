@@ -13,18 +13,18 @@
 
 namespace cracksim::physics {
 
-/// The state of this step. Per Mass-union: u, the displacement from rest, and w, the last increment, m. It holds all that a
-/// continuation needs and nothing that follows from it.
+/// The state at the current step. For each Mass-union: u, the displacement from rest, and w, the last increment, in m.
+/// The state holds all data that a continuation needs and no data that follow from them.
 struct State {
-    /// A body at rest that has broken as far as the fracture says. Received masses count as whole until their owners' parts are
-    /// set (fracture/received_parts.hpp).
+    /// A body at rest with this fracture. The unions of received masses count as whole until the parts that their
+    /// owners send are set (fracture/received_parts.hpp).
     State(const Network& network, Scheme scheme, double step_size, Precision precision = Precision::binary64,
           const Fracture& fracture = {});
 
     Scheme scheme;
     double step_size;  ///< dt, s
     std::int64_t step{0};
-    DupletSet active;  ///< of the network's duplets
+    DupletSet active;  ///< the active duplets of the network
     Unions unions;
     Motion motion;
     HeldUnions held;
@@ -38,7 +38,7 @@ struct State {
     [[nodiscard]] Vec3 force(LocalUnion s) const { return motion.get(s, Quantity::force); }
     /// dt^2/M, s^2/kg.
     [[nodiscard]] double dt2_over_mass(LocalUnion s) const { return motion.dt2_over_mass(s); }
-    /// What damping takes for dt v: w, or with ab2 1.5 w(n) - 0.5 w(n-1).
+    /// The value of dt v that damping uses, m: w, or for ab2 the extrapolated increment 1.5 w(n) - 0.5 w(n-1).
     [[nodiscard]] Vec3 velocity_increment(LocalUnion s) const { return motion.get(s, velocity_quantity()); }
     [[nodiscard]] std::size_t velocity_quantity() const {
         return scheme == Scheme::ab2 ? Quantity::extrapolated : Quantity::increment;
@@ -47,12 +47,12 @@ struct State {
     void set_increment(LocalUnion s, Vec3 w) { motion.set(s, Quantity::increment, w); }
     void set_force(LocalUnion s, Vec3 f) { motion.set(s, Quantity::force, f); }
     void set_velocity_increment(LocalUnion s, Vec3 w) { motion.set(s, velocity_quantity(), w); }
-    /// dt^2 over the sum of a union's masses.
+    /// Computes dt^2 over the sum of a union's masses.
     void set_dt2_over_mass(const Network& network, LocalUnion s);
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
-/// The duplets of the network that have become inactive.
+/// The fracture of a state: the duplets of the network that are inactive.
 [[nodiscard]] Fracture fracture_of(const Network& network, const State& state);
 
 }  // namespace cracksim::physics

@@ -10,7 +10,7 @@ namespace cracksim::physics {
 
 namespace {
 
-/// The vertices at which some interior face has not all the duplets that a whole body has.
+/// The vertices at which an interior face is notched or has an inactive duplet.
 std::vector<VertexSite> weakened_vertices(const Network& network, const DupletSet& active) {
     std::vector<VertexSite> vertices;
     const auto add = [&](LocalDuplet d) { vertices.push_back(network.lattice().vertex(network.masses_of(d)[0])); };

@@ -13,19 +13,19 @@
 
 namespace cracksim::physics {
 
-/// Which masses move as one. The masses of a vertex that share a union have the same part number, which follows from the
-/// active duplets alone: a mass that is alone has the number of its corner; the part with the vertex's smallest mass has
-/// base_layer; any other part has the corner of its smallest mass. The motion of a union is in the layer of that number. A received
-/// mass has the number that its owner sends.
+/// The Mass-unions. The masses of a vertex that share a union have the same part number, which follows from the active
+/// duplets alone: a lone mass has the number of its corner; the part with the vertex's smallest mass has base_layer;
+/// any other part has the corner of its smallest mass. The motion of a union is in the layer of that number. The owner
+/// of a received mass sends its part number.
 class Unions {
 public:
-    /// The connected components of the network's active duplets. Received masses count as whole until their owners' numbers
-    /// are set.
+    /// The connected components of masses under active duplets. The unions of received masses count as whole until the
+    /// part numbers that their owners send are set.
     Unions(const Network& network, const DupletSet& active);
 
     [[nodiscard]] const Lattice& lattice() const { return *lattice_; }
     [[nodiscard]] int part(LocalMass m) const { return part_[m.index()]; }
-    /// Touched: this rank advances the unions of the vertex, and has all their masses.
+    /// True if the vertex is touched: this rank advances its unions and has all their masses.
     [[nodiscard]] bool is_touched(VertexSite v) const { return in_use_[v.index()] != 0; }
     [[nodiscard]] LocalUnion union_of(LocalMass m) const { return local_union(lattice_->vertex(m), part(m)); }
     /// The smallest local mass of a union; none if the union is empty.
@@ -56,7 +56,7 @@ public:
     void for_each_advanced(Action&& action) const {
         for_each_advanced_union([&](LocalUnion s) { action(s, smallest_of_advanced(s)); });
     }
-    /// Follows from the rule for part numbers, so it reads no other mass of the vertex.
+    /// The smallest mass of an advanced union. It follows from the rule for part numbers, so no part number is read.
     [[nodiscard]] LocalMass smallest_of_advanced(LocalUnion s) const {
         return layer_of(s) == base_layer ? lattice_->smallest_at(vertex_of(s))
                                          : lattice_->mass_at(vertex_of(s), layer_of(s));
@@ -64,9 +64,9 @@ public:
     /// All unions that this rank advances, by vertex and layer.
     [[nodiscard]] std::vector<LocalUnion> advanced() const;
 
-    /// Makes some masses of a touched vertex (ascending) a union of their own; returns it.
+    /// Makes some masses of a touched vertex (ascending) a union of their own and returns it.
     LocalUnion assign(std::span<const LocalMass> part);
-    /// Sets the part number of a received mass. Does not move its motion.
+    /// Sets the part number of a received mass. Does not copy its motion to the new layer.
     void set_received_part(LocalMass m, int part);
 
     [[nodiscard]] std::size_t memory_bytes() const;

@@ -11,21 +11,23 @@ namespace cracksim::physics::HWY_NAMESPACE {
 
 template <class Vector>
 HWY_INLINE Vector next_increment(Vector increment, Vector dt2_over_mass, Vector force) {
-    // A sum of forces that was flushed to -0 becomes +0, as where zeros of other lanes were added to it.
+    // Adding zero changes a sum of forces that was flushed to -0 into +0. It is +0 already where zeros of other lanes
+    // were added, so without this the sign would depend on the neighbours.
     const hn::DFromV<Vector> d;
     return hn::MulAdd(dt2_over_mass, hn::Add(force, hn::Zero(d)), increment);
 }
 
-/// zero_unless components of some unions' motions are.
+/// Pointers to components of some unions' motions.
 template <class Real>
 struct ComponentView {
     Real* displacement;
     Real* increment;
     Real* force;
-    Real* extrapolated;  ///< with ab2
+    Real* extrapolated;  ///< null without ab2
 };
 
-/// The step of some components. Not set in the mask: lanes whose increment makes no sense.
+/// Advances some components by one step. Returns the mask of the lanes whose increments are valid: finite and below the
+/// limit.
 template <bool Extrapolate, class Real, class Vector>
 HWY_INLINE auto advance_component(const ComponentView<Real>& v, Vector dt2_over_mass, Vector limit) {
     const hn::DFromV<Vector> d;
@@ -53,7 +55,7 @@ HWY_INLINE void advance_lanes(Real* first, std::size_t stride, V<Real> limit, hn
     }
 }
 
-/// Those in the pool. False: some increment makes no sense.
+/// Advances the unions in the pool. Returns false if an increment is invalid.
 template <bool Extrapolate, class Real>
 HWY_INLINE bool advance_pooled(const AdvanceView<Real>& v) {
     const hn::CappedTag<Real, Pooled::together> d;

@@ -4,11 +4,11 @@
 
 namespace cracksim::physics {
 
-/// The step of some unions of a row of vertices, with the best SIMD target of the machine.
+/// Advances some unions of a row of vertices by one step, with the SIMD target in use.
 void advance_layers(AdvanceView<double>& v);
 void advance_layers(AdvanceView<float>& v);
 
-/// The next increments of components, with the bits of advance_layers.
+/// Computes the increments that advance_layers would give to some components, bit for bit.
 void find_next_components(const NextIncrementView<double>& v);
 void find_next_components(const NextIncrementView<float>& v);
 

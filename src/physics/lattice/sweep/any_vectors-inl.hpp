@@ -1,4 +1,5 @@
-// Vectors of entities in any state of their unions, once for each SIMD target: no include guard, but Highway's.
+// The sweep of vectors of entities whose unions may have split. Compiled once for each SIMD target, so it has Highway's
+// toggle in place of an include guard.
 #if defined(CRACKSIM_PHYSICS_LATTICE_SWEEP_ANY_VECTORS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CRACKSIM_PHYSICS_LATTICE_SWEEP_ANY_VECTORS_INL_HPP
 #undef CRACKSIM_PHYSICS_LATTICE_SWEEP_ANY_VECTORS_INL_HPP
@@ -19,15 +20,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-/// What the pool holds of the half batch of a site; null: nothing.
+/// The pooled corners of the half batch of a site; null: none.
 template <class Real>
 HWY_INLINE const PooledCorners* pooled_of(const SweepView<Real>& v, std::size_t site) {
     const std::int32_t index = v.pooled_of_half[site / Lattice::half];
     return index < 0 ? nullptr : v.pooled + index;
 }
 
-/// Calls action(place, corner, lane) for the corners of the entities of a vector that are in the pool, those of a union by
-/// ascending masses.
+/// Calls action(place, corner, lane) for the corners in the pool of the entities of a vector. Those of the same union
+/// follow by ascending masses.
 template <class Real, class Action>
 HWY_INLINE void for_each_pooled(const SweepView<Real>& v, std::size_t site, Action&& action) {
     constexpr std::size_t lanes = vector_lanes<Real>;
@@ -42,7 +43,7 @@ HWY_INLINE void for_each_pooled(const SweepView<Real>& v, std::size_t site, Acti
     }
 }
 
-/// All corners are in the pool.
+/// True if all corners of a vector's entities are in the pool.
 template <class Real>
 HWY_INLINE bool is_pooled(const SweepView<Real>& v, std::size_t site) {
     const auto is_pooled = [&](std::size_t at) {
@@ -52,7 +53,7 @@ HWY_INLINE bool is_pooled(const SweepView<Real>& v, std::size_t site) {
     return is_pooled(site) && (!is_whole_batch<Real> || is_pooled(site + Lattice::half));
 }
 
-/// A bit for each lane whose corner is in the base layer or void.
+/// One bit for each lane that is void or has this corner in the base layer.
 template <class Real>
 HWY_INLINE std::uint8_t lanes_in_base(const SweepView<Real>& v, std::size_t site, std::size_t corner) {
     const auto of_half = [&](std::size_t at) -> unsigned {
@@ -73,7 +74,7 @@ HWY_INLINE V3<Real> zero_unless(std::uint8_t lanes, const V3<Real>& v) {
     return {hn::IfThenElseZero(mask, v.x), hn::IfThenElseZero(mask, v.y), hn::IfThenElseZero(mask, v.z)};
 }
 
-/// Puts the motions of all corners together, wherever they are.
+/// Copies the motions of all corners from base layer and pool into one array.
 template <class Real>
 CRACKSIM_INLINE void assemble(const SweepView<Real>& v, const RowView& row, std::size_t at,
                               Assembled<Real>& assembled) {
@@ -95,7 +96,7 @@ CRACKSIM_INLINE void assemble(const SweepView<Real>& v, const RowView& row, std:
     });
 }
 
-/// Adds the forces on corners that are in the pool.
+/// Adds the forces on the corners that are in the pool.
 template <class Real>
 CRACKSIM_INLINE void add_to_pool(const SweepView<Real>& v, std::size_t site, const Forces<Real>& forces) {
     HWY_ALIGN Real all[Hexahedron::corners][3][vector_lanes<Real>];
@@ -110,7 +111,8 @@ CRACKSIM_INLINE void add_to_pool(const SweepView<Real>& v, std::size_t site, con
     });
 }
 
-/// The forces on corners in the base layer. Entities of which no corner on a side is there have nothing for that side's vertices.
+/// Adds the forces on the corners of a side that are in the base layer. If there are none, only the forces handed on by
+/// the previous vector are added.
 template <std::size_t Side, class Real>
 CRACKSIM_INLINE void add_side_in_base(const SweepView<Real>& v, std::size_t site, Forces<Real>& forces,
                                       RowRun<Real>& run, std::size_t at) {
@@ -126,7 +128,7 @@ CRACKSIM_INLINE void add_side_in_base(const SweepView<Real>& v, std::size_t site
     add_side<Side>(forces, run, at);
 }
 
-/// Carried interactions of entities whose corners' motions are found in `from`.
+/// Adds the forces of the represented interactions of a vector's entities. from: the motions of their corners.
 template <bool Measured, class From, class Real>
 CRACKSIM_INLINE void add_interactions(const SweepView<Real>& v, std::size_t site, unsigned represented,
                                       const From& from, Forces<Real>& forces, Outcome<Real>& outcome) {
@@ -138,7 +140,8 @@ CRACKSIM_INLINE void add_interactions(const SweepView<Real>& v, std::size_t site
     }
 }
 
-/// The entities of a row from the place `at` on, all of whose corners are in the base layer, whatever they represent.
+/// Sweeps the vector of entities at the place `at` of a row. All its corners must be in the base layer; the entities
+/// may represent any interactions.
 template <bool Measured, class Real>
 HWY_NOINLINE void sweep_base(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
                              unsigned represented, RowSums<Real>& sums) {
@@ -149,7 +152,7 @@ HWY_NOINLINE void sweep_base(SweepView<Real>& v, const RowView& row, RowRun<Real
     add_to_sums<Measured>(v, outcome, owned_of(v, row.first_site + at), row.first_site + at, sums);
 }
 
-/// The same in any state of their unions.
+/// Sweeps the vector of entities at the place `at` of a row. Its corners may be in base layer and pool.
 template <bool Measured, class Real>
 HWY_NOINLINE void sweep_split(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
                               unsigned represented, RowSums<Real>& sums) {

@@ -1,4 +1,5 @@
-// The visco-elastic interactions of vectors of entities. Compiled once for each SIMD target: no include guard, but Highway's.
+// The forces of the visco-elastic interactions of vectors of entities. Compiled once for each SIMD target, so it has
+// Highway's toggle in place of an include guard.
 #if defined(CRACKSIM_PHYSICS_LATTICE_SWEEP_FORCES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CRACKSIM_PHYSICS_LATTICE_SWEEP_FORCES_INL_HPP
 #undef CRACKSIM_PHYSICS_LATTICE_SWEEP_FORCES_INL_HPP
@@ -26,7 +27,7 @@ HWY_INLINE V<Real> multiplicity_of(const std::uint8_t* multiplicities, std::size
     return from_bytes<Real>(multiplicities + interaction * Lattice::lanes);
 }
 
-/// [row][lane] from the lane of a site on.
+/// The multiplicities [row][lane] of a batch, from the lane of a site on.
 template <class Real>
 HWY_INLINE const std::uint8_t* multiplicities_of(const SweepView<Real>& v, std::size_t site) {
     return v.multiplicities + site / Lattice::lanes * SharedEdges::bytes_per_batch + site % Lattice::lanes;
@@ -36,7 +37,8 @@ HWY_INLINE V<Real> owned_of(const SweepView<Real>& v, std::size_t site) {
     return multiplicity_of<Real>(multiplicities_of(v, site), SharedEdges::owned_row);
 }
 
-/// The force on the first corner over d, `multiplicity` times: multiplicity (k g + z' q r^2) with q = dw.d, z' = z/(dt L0^2).
+/// Computes the factor of each interaction, which times d is the force on the first corner:
+/// multiplicity (k g + z' q r^2) with q = dw.d, z' = z/(dt L0^2).
 template <Range AnyRange, bool Measured, class Real, std::size_t... I>
 CRACKSIM_INLINE void find_some_factors(const SweepView<Real>& v, Interactions<Real>& all, Outcome<Real>& sums,
                                        std::index_sequence<I...>) {
@@ -66,7 +68,7 @@ CRACKSIM_INLINE void find_some_factors(const SweepView<Real>& v, Interactions<Re
     (find(std::integral_constant<std::size_t, I>{}), ...);
 }
 
-/// Interactions that are computed together, at most.
+/// The largest number of interactions that are computed together.
 constexpr std::size_t together = 5;
 
 template <Range AnyRange, bool Measured, std::size_t First = 0, class Real, std::size_t... I>
@@ -85,20 +87,21 @@ CRACKSIM_INLINE void find_factors(const SweepView<Real>& v, Interactions<Real>& 
     }
 }
 
-/// The series does not hold for all of them.
+/// True if a quadratic strain is outside the range of the series.
 template <class Real>
 HWY_INLINE bool is_far(const Outcome<Real>& outcome) {
     return HWY_UNLIKELY(!are_within<Real>(outcome.largest, QuadraticStrain::near));
 }
 
-/// What the sweep of a row adds up over its batches.
+/// The sums over the vectors of a row.
 template <class Real>
 struct RowSums {
     V<Real> dissipated;
     V<Real> elastic;
 };
 
-/// What a vector of entities found, the first of them at a site. owned: 1 for this rank's, 0 for others.
+/// Adds the outcome of a vector of entities to the sums, and marks its stretched edges. site: the site of its first
+/// entity. owned: 1 for each entity that this rank owns, else 0.
 template <bool Measured, class Real>
 HWY_INLINE void add_to_sums(SweepView<Real>& v, const Outcome<Real>& outcome, V<Real> owned, std::size_t site,
                             RowSums<Real>& sums) {
@@ -116,13 +119,14 @@ HWY_INLINE void add_to_sums(SweepView<Real>& v, const Outcome<Real>& outcome, V<
     v.exceeded[site / Lattice::lanes] |= found;
 }
 
-/// Forces summed so far, by corner.
+/// The forces on the corners.
 template <class Real>
 struct Forces {
     V3<Real> f[Hexahedron::corners];
 };
 
-/// Some interactions of entities whose corners' motions are found in `from`; all.multiplicity is known.
+/// Computes strains, exceeded limits and factors of some interactions. from: the motions of the corners.
+/// all.multiplicity must be set. Plain, MostlyNone, Far: see complete_strain and find_exceeded.
 template <bool Plain, bool MostlyNone, bool Far, bool Measured, class From, class Real, std::size_t... I>
 CRACKSIM_INLINE void find_stretches(const SweepView<Real>& v, const From& from, const LimitsHere& limits,
                                     Interactions<Real>& all, Outcome<Real>& outcome, std::index_sequence<I...> list) {
@@ -151,7 +155,7 @@ CRACKSIM_INLINE void find_stretches(const SweepView<Real>& v, const From& from, 
     }
 }
 
-/// A component of the forces on the corners, of some interactions.
+/// Computes one component of the forces on the corners, from some interactions.
 template <std::size_t Axis, class Real, std::size_t... I>
 CRACKSIM_INLINE void add_forces(const Interactions<Real>& all, V<Real> (&force)[Hexahedron::corners],
                                 std::index_sequence<I...>) {
@@ -169,7 +173,8 @@ static_assert(HexahedronPairs::per_kind == 4);
 template <std::size_t KindOf>
 using Kind = std::index_sequence<4 * KindOf, 4 * KindOf + 1, 4 * KindOf + 2, 4 * KindOf + 3>;
 
-/// Four interactions: the edges along an axis, or the diagonals. If none of them is represented, they are left out.
+/// Computes the factors of the four interactions of a kind: the edges along an axis, or the diagonals. If none of them
+/// is represented, the factors are zero.
 template <std::size_t KindOf, bool Far, bool Measured, class From, class Real, std::size_t... I>
 CRACKSIM_INLINE void find_kind(const SweepView<Real>& v, unsigned represented, const From& from,
                                const std::uint8_t* multiplicities, const LimitsHere& limits, Interactions<Real>& all,
@@ -183,7 +188,7 @@ CRACKSIM_INLINE void find_kind(const SweepView<Real>& v, unsigned represented, c
     ((all.factor[I] = all.distance[0][I] = all.distance[1][I] = all.distance[2][I] = zero), ...);
 }
 
-/// All 16 interactions, weighted by how many entities' they are.
+/// Computes the forces of all represented interactions, each times its multiplicity.
 template <bool Far, bool Measured, class From, class Real>
 CRACKSIM_INLINE void add_represented(const SweepView<Real>& v, unsigned represented, const From& from,
                                      const std::uint8_t* multiplicities, const LimitsHere& limits, Forces<Real>& forces,
@@ -200,7 +205,7 @@ CRACKSIM_INLINE void add_represented(const SweepView<Real>& v, unsigned represen
     });
 }
 
-/// In case of large stretches, the same with what holds everywhere.
+/// The same by the general form, which is valid for any stretch.
 template <bool Measured, class From, class Real>
 HWY_NOINLINE void add_far(const SweepView<Real>& v, unsigned represented, const From& from,
                           const std::uint8_t* multiplicities, const LimitsHere& limits, Forces<Real>& forces,

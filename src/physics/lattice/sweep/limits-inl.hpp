@@ -1,4 +1,5 @@
-// Which edges are stretched beyond the sensors' limits. Compiled once for each SIMD target: no include guard, but Highway's.
+// The edges that are stretched beyond their sensing limits. Compiled once for each SIMD target, so it has Highway's
+// toggle in place of an include guard.
 #if defined(CRACKSIM_PHYSICS_LATTICE_SWEEP_LIMITS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CRACKSIM_PHYSICS_LATTICE_SWEEP_LIMITS_INL_HPP
 #undef CRACKSIM_PHYSICS_LATTICE_SWEEP_LIMITS_INL_HPP
@@ -19,15 +20,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-/// Sensing's limits of a vector's entities, by edge, and what none of them is below.
+/// The sensing limits of a vector's entities: by edge, and a lower bound of all of them.
 struct LimitsHere {
     const Bfloat16* by_edge;  ///< [edge][lane]
     float lowest;
 };
 
-/// Which edges of the list are stretched beyond their limits. MostlyNone: the limits by edge need not come to the caches where the
-/// largest magnitude, so far of the list's edges alone, is below all of them (where edges are shortened it may not be: then all is looked
-/// at, in vain); else a branch takes longer than to look.
+/// Finds the edges of the list that are stretched beyond their limits. MostlyNone: first compares the largest magnitude
+/// of the list's strains, of edges only at this point, with the lowest limit; if it is below, the limits by edge are
+/// not read, which saves memory traffic. (A shortened edge may also have a large magnitude; then the limits are read in
+/// vain.) Without MostlyNone the limits are read at once, because a branch would take as long.
 template <bool MostlyNone, class Real, std::size_t... I>
 CRACKSIM_INLINE void find_exceeded(const LimitsHere& limits, const Interactions<Real>& all, Outcome<Real>& outcome,
                                    std::index_sequence<I...>) {

@@ -1,4 +1,5 @@
-// Vectors of entities whose corners are all in the base layer, once for each SIMD target: no include guard, but Highway's.
+// The sweep of vectors of entities whose corners are all in the base layer and which represent a common list of
+// interactions. Compiled once for each SIMD target, so it has Highway's toggle in place of an include guard.
 #if defined(CRACKSIM_PHYSICS_LATTICE_SWEEP_PLAIN_VECTORS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CRACKSIM_PHYSICS_LATTICE_SWEEP_PLAIN_VECTORS_INL_HPP
 #undef CRACKSIM_PHYSICS_LATTICE_SWEEP_PLAIN_VECTORS_INL_HPP
@@ -40,13 +41,13 @@ constexpr auto list_of(std::index_sequence<I...>) {
 template <unsigned Mask>
 using ListOf = decltype(list_of<Mask>(std::index_sequence<>{}));
 
-/// Entities whose corners are all in the base layer: they are loaded where they are needed, for there are too many to be kept in
-/// registers.
+/// The motions of entities whose corners are all in the base layer. They are loaded where they are needed, because
+/// there are too many for the registers.
 template <class Real>
 struct PlainCorners {
-    const Real* side[Lattice::sides];  ///< the lower corners' u in the base layer
+    const Real* side[Lattice::sides];  ///< u of the lower corners in the base layer
     std::size_t stride;
-    std::size_t velocity;  ///< from u to what damping takes for w
+    std::size_t velocity;  ///< distance from u to the increment that damping uses
 
     template <std::size_t C, std::size_t Axis>
     HWY_INLINE V<Real> displacement() const {
@@ -61,13 +62,14 @@ private:
     template <std::size_t C>
     HWY_INLINE const Real* place() const {
         const Real* place = side[Lattice::side(C)];
-        // What the compiler believes to be another place it loads again, instead of keeping it on the stack: 3 % of a step.
+        // This hides from the compiler that the pointer is unchanged. So it loads values again instead of keeping them
+        // on the stack, which saves 3 % of a step.
         asm("" : "+r"(place));
         return place + Lattice::along(C);
     }
 };
 
-/// The corners of the entities of a run from the place `at` on.
+/// The corners of the vector of entities at the place `at` of a run.
 template <class Real>
 HWY_INLINE PlainCorners<Real> plain_corners_at(const SweepView<Real>& v, const RowRun<Real>& run, std::size_t at) {
     return {{run.side[0] + at, run.side[1] + at, run.side[2] + at, run.side[3] + at},
@@ -75,7 +77,7 @@ HWY_INLINE PlainCorners<Real> plain_corners_at(const SweepView<Real>& v, const R
             v.velocity_quantity * run.stride};
 }
 
-/// What is known of the multiplicities of a vector's entities: nothing, or a property of merging.hpp.
+/// A known property of the multiplicities of a vector's entities (SharedEdges): none, `full` or `interior`.
 enum class Known { any, full, interior };
 
 template <Known What, std::size_t I, class Real>
@@ -114,7 +116,7 @@ CRACKSIM_INLINE void add_all_plain(const SweepView<Real>& v, RowRun<Real>& run, 
     std::fill_n(run.has_before, Lattice::sides, true);
 }
 
-/// Consecutive vectors of a row that represent the same, from the place `at` to `end`.
+/// Sweeps consecutive vectors of a row that represent the same interactions, from the place `at` to `end`.
 template <unsigned Represented, Known What, bool Measured, class Real>
 HWY_NOINLINE void sweep_plain(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
                               std::size_t end, RowSums<Real>& sums) {
@@ -129,11 +131,13 @@ HWY_NOINLINE void sweep_plain(SweepView<Real>& v, const RowView& row, RowRun<Rea
     }
 }
 
-/// False: not with what is represented.
+/// Sweeps consecutive vectors of a row, if there is code for the interactions that they represent. Returns false if
+/// not.
 template <bool Measured, class Real>
 HWY_INLINE bool sweep_plain(unsigned represented, SweepView<Real>& v, const RowView& row, RowRun<Real>& run,
                             std::size_t at, std::size_t end, RowSums<Real>& sums) {
-    // What vectors of an intact block represent; the rare ones, and those of a block only a vector wide, are left to sweep_base.
+    // The interactions that vectors of an intact block represent. Rare cases, and blocks that are only one vector wide,
+    // are left to sweep_base.
     constexpr unsigned interior = represented_if_intact(false, false, false);
     constexpr unsigned start_of_row = represented_if_intact(true, false, false);
     constexpr unsigned front = represented_if_intact(false, true, false);

@@ -1,5 +1,6 @@
-// A row of entities in any state, once for each SIMD target: no include guard, but Highway's. Defines row_sweep.hpp for CRACKSIM_REAL,
-// one precision a source, for they take long to compile.
+// The sweep of a row of entities in any state. Defines the functions of row_sweep.hpp for CRACKSIM_REAL: each precision
+// has its own source file, because both take long to compile. Compiled once for each SIMD target, so it has Highway's
+// toggle in place of an include guard.
 #if defined(CRACKSIM_PHYSICS_LATTICE_SWEEP_ROW_SWEEP_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CRACKSIM_PHYSICS_LATTICE_SWEEP_ROW_SWEEP_INL_HPP
 #undef CRACKSIM_PHYSICS_LATTICE_SWEEP_ROW_SWEEP_INL_HPP

@@ -1,4 +1,5 @@
-// A row of entities in vectors of neighbours, once for each SIMD target: no include guard, but Highway's.
+// A row of entities as vectors of neighbours. Compiled once for each SIMD target, so it has Highway's toggle in place
+// of an include guard.
 #if defined(CRACKSIM_PHYSICS_LATTICE_SWEEP_ROWS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CRACKSIM_PHYSICS_LATTICE_SWEEP_ROWS_INL_HPP
 #undef CRACKSIM_PHYSICS_LATTICE_SWEEP_ROWS_INL_HPP
@@ -17,7 +18,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-/// What some entity of the vector represents, and of SharedEdges's properties those that all of its halves have.
+/// The interactions that at least one entity of the vector represents, and the properties of SharedEdges that all its
+/// halves have.
 template <class Real>
 HWY_INLINE unsigned represented_by(const SweepView<Real>& v, std::size_t site) {
     const std::uint32_t* half = v.represented + site / Lattice::half;
@@ -28,19 +30,19 @@ HWY_INLINE unsigned represented_by(const SweepView<Real>& v, std::size_t site) {
     }
 }
 
-/// All corners are in the base layer.
+/// True if all corners of a vector's entities are in the base layer.
 template <class Real>
 HWY_INLINE bool is_base(const SweepView<Real>& v, std::size_t site) {
     const std::int32_t* half = v.pooled_of_half + site / Lattice::half;
     return half[0] < 0 && (!is_whole_batch<Real> || half[1] < 0);
 }
 
-/// The upper corners' forces one lane on, so that they stand at the same vertices as the lower ones; the last one goes to the
-/// next vector.
+/// Shifts the forces on upper corners by one lane, so that they are at the same vertices as the forces on lower
+/// corners. The first lane comes from the previous vector; the last force remains in from_before for the next vector.
 template <class Real>
 HWY_INLINE V<Real> shifted(V<Real> upper, V<Real>& from_before) {
 #if HWY_TARGET <= HWY_AVX3
-    // One instruction, which Highway has no name for.
+    // One instruction; Highway has no function for it.
     static_assert(is_whole_batch<Real>);
     V<Real> shifted;
     if constexpr (sizeof(Real) > sizeof(float)) {
@@ -65,7 +67,7 @@ HWY_INLINE V<Real> shifted(V<Real> upper, V<Real>& from_before) {
     return shifted;
 }
 
-/// The last one of those that shifted leaves for the next vector.
+/// The force that shifted() leaves for the next vector.
 template <class Real>
 HWY_INLINE Real handed_on_by(V<Real> from_before) {
 #if HWY_TARGET <= HWY_AVX3
@@ -75,19 +77,19 @@ HWY_INLINE Real handed_on_by(V<Real> from_before) {
 #endif
 }
 
-/// What each side's upper corners hand on to the next vector.
+/// The forces that the upper corners of each side hand on to the next vector.
 template <class Real>
 struct HandedOn {
     V3<Real> side[Lattice::sides];
 };
 
-/// How far the sweep of a row is.
+/// The progress of the sweep of a row.
 template <class Real>
 struct RowRun {
-    Real* side[Lattice::sides];  ///< where the lower corners of the row's first entity are in the base layer
-    std::size_t stride;          ///< from a quantity in the base layer to the next
+    Real* side[Lattice::sides];  ///< the lower corners of the row's first entity in the base layer
+    std::size_t stride;          ///< distance between two components in the base layer
     HandedOn<Real> before;
-    bool has_before[Lattice::sides];  ///< false: nothing was handed on, and `before` is zero
+    bool has_before[Lattice::sides];  ///< false: no force was handed on, and `before` is zero
 };
 
 template <class Real>
@@ -99,8 +101,8 @@ HWY_INLINE RowRun<Real> begin_run(const SweepView<Real>& v, const RowView& row) 
     return run;
 }
 
-/// A component of the forces on the lower and the upper corners of the entities from the place `at` on, and what those before them
-/// handed on, to a side in the base layer.
+/// Adds one component of the forces to the vertices of a side in the base layer: the forces on the lower and upper
+/// corners of the vector at the place `at`, and the force that the previous vector handed on.
 template <std::size_t Side, std::size_t Axis, class Real>
 CRACKSIM_INLINE void add_component_to_side(V<Real> lower, V<Real> upper, RowRun<Real>& run, std::size_t at) {
     const D<Real> d;
@@ -127,7 +129,7 @@ CRACKSIM_INLINE void add_sides(const Forces<Real>& forces, RowRun<Real>& run, st
     add_side<3>(forces, run, at);
 }
 
-/// What was handed on goes to the vertices at the place `at`.
+/// Adds the forces that were handed on to the vertex at the place `at`.
 template <std::size_t Side, class Real>
 HWY_INLINE void deliver(RowRun<Real>& run, std::size_t at) {
     if (!run.has_before[Side]) {

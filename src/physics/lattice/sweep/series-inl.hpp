@@ -1,4 +1,5 @@
-// The shortfall 1 - L0/|d| of interactions without division or root. Compiled once for each SIMD target: no include guard, but Highway's.
+// The shortfall 1 - L0/|d| of interactions, without division or root. Compiled once for each SIMD target, so it has
+// Highway's toggle in place of an include guard.
 #if defined(CRACKSIM_PHYSICS_LATTICE_SWEEP_SERIES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CRACKSIM_PHYSICS_LATTICE_SWEEP_SERIES_INL_HPP
 #undef CRACKSIM_PHYSICS_LATTICE_SWEEP_SERIES_INL_HPP
@@ -16,14 +17,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-/// With the quadratic_strain x: the shortfall g = 1 - L0/|d| = 1 - (1 + x)^(-1/2), and r = L0/|d| = 1 - g.
+/// For a quadratic strain x: the shortfall g = 1 - L0/|d| = 1 - (1 + x)^(-1/2), and the inverse r = L0/|d| = 1 - g.
 template <class Real>
 struct Ratio {
     V<Real> shortfall;
     V<Real> inverse;
 };
 
-/// A magnitude is within a bound.
+/// True if a magnitude is within a bound.
 template <class Real>
 HWY_INLINE auto is_within(V<Real> magnitude, double bound) {
     return hn::Le(magnitude, broadcast<Real>(bound));
@@ -33,7 +34,8 @@ HWY_INLINE bool are_within(V<Real> magnitudes, double bound) {
     return hn::AllTrue(D<Real>{}, is_within<Real>(magnitudes, bound));
 }
 
-/// Loaded once: the compiler would rather load a constant again for each of its uses, and loads take as long as what is done with them.
+/// Keeps a constant in a register. The compiler would load it again for each use, and a load takes as long as the
+/// operation that uses it.
 template <class Real>
 HWY_INLINE V<Real> in_register(V<Real> v) {
 #if HWY_TARGET <= HWY_AVX2
@@ -42,11 +44,12 @@ HWY_INLINE V<Real> in_register(V<Real> v) {
     return v;
 }
 
-/// The larger of what was largest so far and the magnitude of x; what is not a number changes nothing, whatever the instructions.
+/// The larger of `largest` and the magnitude of x. If x is not a number, the result is `largest`, with any
+/// instructions.
 template <class Real>
 HWY_INLINE V<Real> larger_magnitude(V<Real> largest, V<Real> x) {
 #if HWY_TARGET <= HWY_AVX3
-    // One instruction, which Highway has no name for.
+    // One instruction; Highway has no function for it.
     static_assert(is_whole_batch<Real>);
     constexpr int larger_magnitude_without_sign = 0b1011;
     V<Real> larger;
@@ -61,13 +64,14 @@ HWY_INLINE V<Real> larger_magnitude(V<Real> largest, V<Real> x) {
 #endif
 }
 
-/// How large the magnitudes of quadratic_strains are: within QuadraticStrain::small, within QuadraticStrain::near, whatever they are.
+/// The range of quadratic strains: magnitudes within QuadraticStrain::small, within QuadraticStrain::near, or any.
 enum class Range { small, near, any };
 
-/// Within the range, without division or root: g = x P(x), and beyond `small` better by a step of third order in
-/// the residual R = (1 + x)(1 - g)^2 - 1, in single precision of second order: to the last bits of g, relative to g, however small x.
-/// One x has the same bits in both ranges, but for the sign of a zero g. Of several x at once: one is a long chain of operations, and
-/// the processor works on several chains only where they are close to each other in the program.
+/// Computes the ratios without division or root, for x in the range: g = x P(x). If |x| is above `small`, one step of
+/// third order (of second order in single precision) in the residual R = (1 + x)(1 - g)^2 - 1 corrects g. The error is
+/// in the last bits of g, relative to g, however small x is. An x within `small` gives the same bits in both ranges,
+/// but for the sign of a zero g. Several x are computed at once: each is a long chain of operations, and the processor
+/// overlaps chains only if they are close to each other in the program.
 template <Range AnyRange, std::size_t Count, class Real>
 CRACKSIM_INLINE void series_ratios(const V<Real> (&x)[Count], Ratio<Real> (&ratio)[Count]) {
     constexpr auto& p = Series<Real>::p;
@@ -94,7 +98,8 @@ CRACKSIM_INLINE void series_ratios(const V<Real> (&x)[Count], Ratio<Real> (&rati
     });
 }
 
-/// Whatever x; in the range of series_ratios with its bits. A vanished length has no direction: no force.
+/// The ratio for any x. Within QuadraticStrain::near it has the bits of series_ratios. If the length has vanished,
+/// there is no direction, and the ratio is zero.
 template <class Real>
 CRACKSIM_INLINE Ratio<Real> any_ratio(V<Real> x) {
     const V<Real> one = broadcast<Real>(1.0);
@@ -110,7 +115,7 @@ CRACKSIM_INLINE Ratio<Real> any_ratio(V<Real> x) {
     return {hn::IfThenZeroElse(vanished, g), hn::IfThenZeroElse(vanished, r)};
 }
 
-/// (|d|/L0 - 1)^2, from g and r; all of it where the length has vanished.
+/// (|d|/L0 - 1)^2 from x and g; 1 if the length has vanished.
 template <class Real>
 HWY_INLINE V<Real> squared_stretch(V<Real> x, const Ratio<Real>& ratio) {
     const V<Real> squared = hn::Add(broadcast<Real>(1.0), x);

@@ -1,4 +1,5 @@
-// Quadratic strains and rates of the interactions of vectors of entities. Compiled once for each SIMD target: no include guard, but Highway's.
+// Quadratic strains and rates of the interactions of vectors of entities. Compiled once for each SIMD target, so it has
+// Highway's toggle in place of an include guard.
 #if defined(CRACKSIM_PHYSICS_LATTICE_SWEEP_STRAIN_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CRACKSIM_PHYSICS_LATTICE_SWEEP_STRAIN_INL_HPP
 #undef CRACKSIM_PHYSICS_LATTICE_SWEEP_STRAIN_INL_HPP
@@ -16,14 +17,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-/// Over the interactions of the entities: sums, and what decides about sensing and about the range of the series.
+/// The results over all interactions of a vector's entities: energies, the range of the strains, and exceeded limits.
 template <class Real>
 struct Outcome {
     V<Real> dissipated;
     V<Real> elastic;
-    V<Real> largest;                            ///< of the quadratic_strains' magnitudes so far
+    V<Real> largest;                            ///< the largest magnitude of the quadratic strains so far
     bool any_exceeded;                          ///< false: no edge is stretched beyond its limit
-    unsigned exceeded[HexahedronPairs::edges];  ///< by edge, a bit a lane
+    unsigned exceeded[HexahedronPairs::edges];  ///< by edge: one bit for each lane
 };
 
 template <class Real>
@@ -33,8 +34,9 @@ HWY_INLINE Outcome<Real> no_outcome() {
     return {zero, zero, zero, false, {}};
 }
 
-/// Interactions of the entities by number, as far as they are asked for: d = d0 + du, the quadratic_strain |d|^2/L0^2 - 1 = (2 d0 + du).du / L0^2,
-/// without cancellation, the rate dw.d, how many entities' interaction it is, and the force on the first corner over d.
+/// The interactions of a vector's entities, by number: d = d0 + du; the quadratic strain
+/// |d|^2/L0^2 - 1 = (2 d0 + du).du / L0^2, computed without cancellation; the rate dw.d; the multiplicity; and the
+/// factor, which times d is the force on the first corner. Only the interactions that are needed are set.
 template <class Real>
 struct Interactions {
     V<Real> distance[3][HexahedronPairs::count];
@@ -46,14 +48,15 @@ struct Interactions {
 
 constexpr std::size_t kind_of(std::size_t interaction) { return interaction / HexahedronPairs::per_kind; }
 
-/// The sign of d0 along an axis; edges of a box lie along one.
+/// The sign of the component of d0 along an axis; 0 for an edge along another axis.
 constexpr int sign_of_rest(std::size_t interaction, std::size_t axis) {
     const auto [a, b] = HexahedronPairs::corners[interaction];
     return Hexahedron::offset[static_cast<std::size_t>(b)][axis] -
            Hexahedron::offset[static_cast<std::size_t>(a)][axis];
 }
 
-/// Adds what the components of du and dw along an axis tell, axes ascending. edge: the length of an entity along it.
+/// Adds the contribution of the components of du and dw along an axis. Must be called for ascending axes. edge: the
+/// length of an entity along the axis.
 template <std::size_t I, std::size_t Axis, class Real>
 HWY_INLINE void add_component(V<Real> edge, V<Real> du, V<Real> dw, Interactions<Real>& all) {
     constexpr int sign = sign_of_rest(I, Axis);
@@ -67,7 +70,7 @@ HWY_INLINE void add_component(V<Real> edge, V<Real> du, V<Real> dw, Interactions
     all.rate[I] = Axis == 0 ? hn::Mul(dw, distance) : hn::MulAdd(dw, distance, all.rate[I]);
 }
 
-/// Displacements of some entities' corners, and what damping takes for their increments, put together.
+/// The displacements of a vector's corners and the increments that damping uses, copied into one array.
 template <class Real>
 struct Assembled {
     HWY_ALIGN Real motion[Hexahedron::corners][6][vector_lanes<Real>];
@@ -82,7 +85,7 @@ struct Assembled {
     }
 };
 
-/// Some interaction of the list has the corner.
+/// True if an interaction of the list has this corner.
 constexpr bool is_met(unsigned list, int corner) {
     for (std::size_t i = 0; i < HexahedronPairs::count; ++i) {
         const auto& pair = HexahedronPairs::corners[i];
@@ -93,7 +96,8 @@ constexpr bool is_met(unsigned list, int corner) {
     return false;
 }
 
-/// Components of some interactions along an axis: of one component at a time, the corners' motions are loaded once and stay in registers.
+/// Adds the components of some interactions along an axis. For one axis, the motions of the corners are loaded once and
+/// stay in registers.
 template <std::size_t Axis, class From, class Real, std::size_t... I>
 CRACKSIM_INLINE void add_components(const SweepView<Real>& v, const From& from, Interactions<Real>& all,
                                     std::index_sequence<I...>) {
@@ -115,14 +119,15 @@ CRACKSIM_INLINE void add_components(const SweepView<Real>& v, const From& from, 
     (add(std::integral_constant<std::size_t, I>{}), ...);
 }
 
-/// Completes the quadratic_strain of interaction I, and finds what decides about the range of the series. Plain: no entity is void, so all
-/// ends are its corners.
+/// Completes the quadratic strain of interaction I and updates the largest magnitude. Plain: no entity is void, so all
+/// ends are corners of entities. Far: the general form is used, so the largest magnitude is not needed.
 template <std::size_t I, bool Plain, bool Far, class Real>
 CRACKSIM_INLINE void complete_strain(const SweepView<Real>& v, Interactions<Real>& all, Outcome<Real>& sums) {
     V<Real>& quadratic_strain = all.quadratic_strain[I];
     quadratic_strain = hn::Mul(broadcast<Real>(v.kind[kind_of(I)].inverse_squared_length), quadratic_strain);
     if constexpr (!Plain) {
-        // The ends of what is void or represented by another entity may be anywhere, so far apart that 0 times their force is no zero.
+        // If the entity is void or another entity represents the interaction, the ends may be so far apart that 0 times
+        // the force is not zero. So strain and rate are set to zero.
         const auto represented = hn::Ne(all.multiplicity[I], hn::Zero(D<Real>{}));
         quadratic_strain = hn::IfThenElseZero(represented, quadratic_strain);
         all.rate[I] = hn::IfThenElseZero(represented, all.rate[I]);

@@ -12,8 +12,9 @@
 
 namespace cracksim::physics {
 
-/// The polynomial P with 1 - (1 + x)^(-1/2) = x P(x), for quadratic_strains |x| <= QuadraticStrain::small to a relative 3.3e-15 in double, 1.4e-8 in
-/// single precision (minimax); up to QuadraticStrain::near to 1.7e-4 and 0.7 %, which a step of third and of second order corrects.
+/// The minimax polynomial P with 1 - (1 + x)^(-1/2) = x P(x). Its relative error for quadratic strains
+/// |x| <= QuadraticStrain::small is 3.3e-15 in double and 1.4e-8 in single precision. Up to QuadraticStrain::near it is
+/// 1.7e-4 and 0.7 %, respectively; a step of third and of second order corrects this.
 template <class Real>
 struct Series;
 template <>
@@ -28,7 +29,7 @@ struct Series<float> {
     static constexpr std::array<double, 6> p{0.500000006641967219,  -0.375000012473468141, 0.312488058434094334,
                                              -0.273423804208871773, 0.249268080406582222,  -0.228762180614401288};
 };
-/// Of quadratic_strains |d|^2/L0^2 - 1.
+/// Bounds of quadratic strains |d|^2/L0^2 - 1.
 struct QuadraticStrain {
     static constexpr double small = 0.1;
     static constexpr double near = 0.5;
@@ -36,7 +37,7 @@ struct QuadraticStrain {
     static constexpr double tiny_squared = 1e-24;
 };
 
-/// Some edges of the entities of a batch: for each edge a bit a lane.
+/// A set of edges of the entities of a batch: for each edge, one bit for each lane.
 struct EdgeBits {
     std::uint64_t first{0};   ///< edges 0 to 7
     std::uint64_t second{0};  ///< edges 8 to 11
@@ -56,7 +57,7 @@ private:
     [[nodiscard]] static constexpr std::size_t shift(std::size_t edge) { return edge % 8 * 8; }
 };
 
-/// The constants of a kind of interactions, the edges along an axis or the diagonals, as the kernel wants them.
+/// The constants of a kind of interactions (the edges along an axis, or the diagonals), as the kernel uses them.
 template <class Real>
 struct InteractionConstants {
     Real inverse_squared_length;  ///< 1/L0^2, 1/m2
@@ -65,14 +66,14 @@ struct InteractionConstants {
     Real half_energy;             ///< k L0^2/2, J
 };
 
-/// A row of cells: its places, and the vertices of its first cell's lower corners.
+/// A row of cells: its sites, and the vertex sites of its first cell's lower corners.
 struct RowView {
     std::size_t vertex[Lattice::sides];
     std::size_t first_site;
     std::size_t sites;
 };
 
-/// Plain pointers into network and state, the same for all rows.
+/// Pointers into network, state and caches, the same for all rows.
 template <class Real>
 struct SweepView {
     Real edge[3];  ///< the lengths of an entity, m
@@ -86,7 +87,7 @@ struct SweepView {
     const std::int32_t* pooled_of_half;
     const PooledCorners* pooled;
     const std::uint8_t* multiplicities;  ///< [batch][row][lane]
-    const std::uint32_t* represented;    ///< [half of a batch] (merging.hpp)
+    const std::uint32_t* represented;    ///< [half of a batch] (shared_edges.hpp)
     const Bfloat16* limits;              ///< [batch][edge][lane]
     const Bfloat16* lowest_limit;        ///< [half of a batch]
     EdgeBits* exceeded;                  ///< [batch]: edges stretched beyond their limit
@@ -94,7 +95,8 @@ struct SweepView {
     double elastic;                      ///< out: sum of k e^2 / 2, J
 };
 
-/// Some entities, wherever they are: [component][corner][lane]; in: u and what damping takes for w, m; out: forces, N.
+/// Entities gathered from any sites: [component][corner][lane]. In: u and the increment that damping uses, m. Out:
+/// forces, N.
 template <class Real>
 struct GatheredEntities {
     Real displacement[3][Hexahedron::corners][Lattice::lanes];

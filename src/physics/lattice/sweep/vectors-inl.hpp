@@ -1,4 +1,5 @@
-// Vectors of neighbours in a row, once for each SIMD target: no include guard, but Highway's.
+// Vectors of neighbours in a row. Compiled once for each SIMD target, so it has Highway's toggle in place of an include
+// guard.
 #if defined(CRACKSIM_PHYSICS_LATTICE_SWEEP_VECTORS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CRACKSIM_PHYSICS_LATTICE_SWEEP_VECTORS_INL_HPP
 #undef CRACKSIM_PHYSICS_LATTICE_SWEEP_VECTORS_INL_HPP
@@ -19,7 +20,8 @@ HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-// What is left out of line passes all vectors through memory; with sanitizers all in one function would compile for a quarter of an hour.
+// Calls that are not inlined pass all vectors through memory. Under sanitizers, inlining everything takes a quarter of
+// an hour to compile.
 #undef CRACKSIM_INLINE
 #undef CRACKSIM_INLINE_LAMBDA
 #ifdef __SANITIZE_ADDRESS__
@@ -39,14 +41,14 @@ using V = hn::Vec<D<Real>>;
 template <class Real>
 constexpr std::size_t vector_lanes = hn::MaxLanes(D<Real>{});
 
-// A vector takes half a batch, all of it, or less than half: what is known of the halves that it meets.
+// A vector covers a whole batch, half of it, or a part of a half. So the data kept for halves of a batch apply to it.
 template <class Real>
 constexpr bool is_whole_batch = vector_lanes<Real> == Lattice::lanes;
 template <class Real>
 constexpr bool is_known = vector_lanes<Real> <= Lattice::half || is_whole_batch<Real>;
 static_assert(is_known<double> && is_known<float>);
 
-/// Calls action(i) for 0 <= i < Count, one after the other, i being a constant.
+/// Calls action(i) for 0 <= i < Count in this order; i is a compile-time constant.
 template <std::size_t Count, class Action>
 CRACKSIM_INLINE void for_each(Action&& action) {
     [&]<std::size_t... I>(std::index_sequence<I...>) CRACKSIM_INLINE_LAMBDA {
@@ -71,13 +73,13 @@ HWY_INLINE auto& component(Vector& v) {
     }
 }
 
-/// The same in all lanes.
+/// A vector with the same value in all lanes.
 template <class Real>
 HWY_INLINE V<Real> broadcast(double value) {
     const D<Real> d;
     return hn::Set(d, static_cast<Real>(value));
 }
-/// Small whole numbers, one a byte.
+/// A vector of the small integers in consecutive bytes.
 template <class Real>
 HWY_INLINE V<Real> from_bytes(const std::uint8_t* from) {
     const D<Real> d;
@@ -89,7 +91,7 @@ HWY_INLINE V<Real> from_bytes(const std::uint8_t* from) {
         return hn::ConvertTo(d, whole);
     }
 }
-/// The upper halves of numbers in single precision, with nothing below.
+/// A vector of the values of consecutive Bfloat16 numbers.
 template <class Real>
 HWY_INLINE V<Real> from_bfloat16(const Bfloat16* upper) {
     static_assert(sizeof(Bfloat16) == sizeof(std::uint16_t));
