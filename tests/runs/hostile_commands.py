@@ -157,6 +157,15 @@ COMMANDS = [
     ("more rows than can be numbered", ["scene.yaml", "--set", "block.cells=[1, 8000, 8000]"],
      "block.cells: a rank would hold too many rows of so few entities along x; lay the longest side along x, or use more "
      "ranks"),
+    ("setting of a notch in a scene without notches", ["scene.yaml", "--set", "notches.0.name=a"],
+     "--set notches.0.name: notches: needs a list, not a map"),
+    ("setting of a notch that opens nothing",
+     ["scene.yaml", "--set", "notches=[{where: {disc: {centre: [0, 0, 0], normal: [1, 0, 0], radius: 0.01}}}]"],
+     "--set notches: notches.0.where: 'notch 0' opens 0 of the block's 64 interior faces: it crosses no line between "
+     "the centres of two neighbouring entities; make it larger or move it"),
+    ("setting of a notch without an area",
+     ["scene.yaml", "--set", "notches=[{where: {disc: {centre: [0, 0, 0], normal: [0, 0, 0], radius: 0.01}}}]"],
+     "--set notches: notches.0.where: 'notch 0' has a normal of length 0; give a part of a plane with an area"),
     ("two settings that exclude each other", ["scene.yaml", "--set", "network={mass: 1}"],
      "--set network: material and network exclude each other; remove one of the two"),
 ]

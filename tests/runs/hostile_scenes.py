@@ -18,6 +18,9 @@ partition: {kind: metis}
 """
 MATERIAL = "material: {young: 2.0e4, density: 1000, poisson: 0.25, damping: 0.2}"
 NETWORK = "network: {mass: 1, edge: {stiffness: 4, viscosity: 0.1}, diagonal: {stiffness: 6}}"
+RECTANGLE = "rectangle: {corner: [0.02, 0, -1], along: [0, 0.02, 0], and: [0, 0, 2]}"
+DISC = "disc: {centre: [0.02, 0.02, 0.01], normal: [1, 0, 0], radius: 0.01}"
+POLYGON = "polygon: [[0.02, 0, 0], [0.02, 0.03, 0], [0.02, 0, 0.02]]"
 
 
 class Row(NamedTuple):
@@ -25,6 +28,17 @@ class Row(NamedTuple):
     right: str  # occurs once in SCENE
     wrong: str  # replaces `right`
     message: str  # follows the name of the file
+
+
+def notched(name, notches, message):
+    """A scene with these notches, which begin in line 14."""
+    last = SCENE.splitlines()[-1]
+    return Row(name, last, f"{last}\nnotches: {notches}", message)
+
+
+def notch(name, where, message):
+    """A scene with a notch, whose surface begins at 14:20."""
+    return notched(name, "[{where: {" + where + "}}]", message)
 
 
 def scene_with(row):
@@ -183,4 +197,116 @@ FORM = [
         ":13:19: partition.kind: does not know 'scotch'; take one of metis, slab, random"),
     Row("section that comes later", "partition:", "checkpoint: {every: 600}\npartition:",
         ":13:1: checkpoint: not available in cracksim 0.1; runs cannot be saved and restarted yet: remove the key"),
+    notched("number for the notches", "1", ":14:10: notches: needs a list, not '1'"),
+    notched("map for the notches", "{centre: {where: {" + RECTANGLE + "}}}", ":14:1: notches: needs a list, not a map"),
+    notched("empty notches", "", ":14:1: notches: needs a list, not an empty value"),
+    notched("number for a notch", "[1]", ":14:11: notches.0: needs a map with keys of name, where, not '1'"),
+    notched("unknown key of a notch", "[{where: {" + RECTANGLE + "}, width: 1}]",
+        ":14:94: notches.0.width: unknown key; known here are name, where"),
+    notched("misspelt key of a notch", "[{wehre: {" + RECTANGLE + "}}]",
+        ":14:12: notches.0.wehre: unknown key; did you mean 'where'?"),
+    notched("surface beside where", "[{" + RECTANGLE + "}]",
+        ":14:12: notches.0.rectangle: unknown key; known here are name, where"),
+    notched("notch without a place", "[{name: centre}]",
+        ":14:11: notches.0: the key 'where' is missing; add it (inputs/README.md lists what it takes)"),
+    notched("place of a notch without a value", "[{where: }]",
+        ":14:12: notches.0.where: needs a map with keys of rectangle, disc, polygon, not an empty value"),
+    notched("list for the place of a notch", "[{where: [" + POLYGON[9:] + "]}]",
+        ":14:12: notches.0.where: needs a map with keys of rectangle, disc, polygon, not a list"),
+    notched("list for the name of a notch", "[{name: [a, b], where: {" + DISC + "}}]",
+        ":14:12: notches.0.name: needs a text, not a list"),
+    notched("long name of a notch", "[{name: " + "a" * 61 + ", where: {" + DISC + "}}]",
+        ":14:18: notches.0.name: needs one line of at most 60 bytes, not "
+        "'aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa...'; it has 61"),
+    notched("more notches than can be counted",
+        "[" + ("{where: {" + DISC + "}}, ") * 10_000 + "{where: {" + DISC + "}}]",
+        ":14:1: notches: has more than 10000 notches; join their surfaces"),
+    notch("notch without a surface", "",
+        ":14:12: notches.0.where: needs one surface: rectangle: {corner, along, and}, disc: {centre, normal, "
+        "radius} or polygon: [[x, y, z], ...]"),
+    notch("notch of two surfaces", RECTANGLE + ", " + DISC,
+        ":14:12: notches.0.where: needs one surface: rectangle: {corner, along, and}, disc: {centre, normal, "
+        "radius} or polygon: [[x, y, z], ...]"),
+    notch("notch of three surfaces", RECTANGLE + ", " + DISC + ", " + POLYGON,
+        ":14:12: notches.0.where: needs one surface: rectangle: {corner, along, and}, disc: {centre, normal, "
+        "radius} or polygon: [[x, y, z], ...]"),
+    notch("unknown surface of a notch", "ellipse: {}",
+        ":14:20: notches.0.where.ellipse: unknown key; known here are rectangle, disc, polygon"),
+    notch("box for the surface of a notch", "box: [[0, 0, 0], [1, 1, 1]]",
+        ":14:20: notches.0.where.box: unknown key; known here are rectangle, disc, polygon"),
+    notch("list for a rectangle", "rectangle: [0, 0, 0]",
+        ":14:20: notches.0.where.rectangle: needs a map with keys of corner, along, and, not a list"),
+    notch("rectangle without a corner", RECTANGLE.replace("corner: [0.02, 0, -1], ", ""),
+        ":14:20: notches.0.where.rectangle: the key 'corner' is missing; add it (inputs/README.md lists what it "
+        "takes)"),
+    notch("rectangle with one side", RECTANGLE.replace(", and: [0, 0, 2]", ""),
+        ":14:20: notches.0.where.rectangle: the key 'and' is missing; add it (inputs/README.md lists what it takes)"),
+    notch("rectangle without along", RECTANGLE.replace("along: [0, 0.02, 0], ", ""),
+        ":14:20: notches.0.where.rectangle: the key 'along' is missing; add it (inputs/README.md lists what it "
+        "takes)"),
+    notch("unknown key of a rectangle", RECTANGLE.replace("and:", "end:"),
+        ":14:76: notches.0.where.rectangle.end: unknown key; did you mean 'and'?"),
+    notch("corner of two numbers", RECTANGLE.replace("[0.02, 0, -1]", "[0.02, 0]"),
+        ":14:32: notches.0.where.rectangle.corner: needs a list of 3 values, not of 2"),
+    notch("number for a corner", RECTANGLE.replace("[0.02, 0, -1]", "0.02"),
+        ":14:40: notches.0.where.rectangle.corner: needs a list of 3 values, not '0.02'"),
+    notch("text in a corner", RECTANGLE.replace("[0.02, 0, -1]", "[left, 0, -1]"),
+        ":14:41: notches.0.where.rectangle.corner.0: needs a number, not 'left'"),
+    notch("expression in a corner", RECTANGLE.replace("[0.02, 0, -1]", "[2*x, 0, -1]"),
+        ":14:41: notches.0.where.rectangle.corner.0: needs a number, not '2*x'"),
+    notch("infinite corner", RECTANGLE.replace("[0.02, 0, -1]", "[0.02, 0, -.inf]"),
+        ":14:50: notches.0.where.rectangle.corner.2: needs a number, not '-.inf'; it must be finite"),
+    notch("side of four numbers", RECTANGLE.replace("[0, 0.02, 0]", "[0, 0.02, 0, 0]"),
+        ":14:55: notches.0.where.rectangle.along: needs a list of 3 values, not of 4; put an expression that holds "
+        "commas in quotes"),
+    notch("side of length 0", RECTANGLE.replace("[0, 0.02, 0]", "[0, 0, 0]"),
+        ":14:12: notches.0.where: 'notch 0' has no area: its corners lie on a line; give a part of a plane with an "
+        "area"),
+    notch("infinite side", RECTANGLE.replace("[0, 0, 2]", "[0, 0, .inf]"),
+        ":14:88: notches.0.where.rectangle.and.2: needs a number, not '.inf'; it must be finite"),
+    notch("text in a side", RECTANGLE.replace("[0, 0, 2]", "[0, 0, up]"),
+        ":14:88: notches.0.where.rectangle.and.2: needs a number, not 'up'"),
+    notch("disc without a centre", DISC.replace("centre: [0.02, 0.02, 0.01], ", ""),
+        ":14:20: notches.0.where.disc: the key 'centre' is missing; add it (inputs/README.md lists what it takes)"),
+    notch("disc without a normal", DISC.replace("normal: [1, 0, 0], ", ""),
+        ":14:20: notches.0.where.disc: the key 'normal' is missing; add it (inputs/README.md lists what it takes)"),
+    notch("disc without a radius", DISC.replace(", radius: 0.01", ""),
+        ":14:20: notches.0.where.disc: the key 'radius' is missing; add it (inputs/README.md lists what it takes)"),
+    notch("centre in American", DISC.replace("centre", "center"),
+        ":14:27: notches.0.where.disc.center: unknown key; did you mean 'centre'?"),
+    notch("number for a disc", "disc: 0.01",
+        ":14:26: notches.0.where.disc: needs a map with keys of centre, normal, radius, not '0.01'"),
+    notch("text in a centre", DISC.replace("[0.02, 0.02, 0.01]", "[0.02, middle, 0.01]"),
+        ":14:42: notches.0.where.disc.centre.1: needs a number, not 'middle'"),
+    notch("normal of length 0", DISC.replace("[1, 0, 0]", "[0, 0, 0]"),
+        ":14:12: notches.0.where: 'notch 0' has a normal of length 0; give a part of a plane with an area"),
+    notch("axis for a normal", DISC.replace("[1, 0, 0]", "x"),
+        ":14:63: notches.0.where.disc.normal: needs a list of 3 values, not 'x'"),
+    notch("infinite normal", DISC.replace("[1, 0, 0]", "[.inf, 0, 0]"),
+        ":14:64: notches.0.where.disc.normal.0: needs a number, not '.inf'; it must be finite"),
+    notch("radius of 0", DISC.replace("radius: 0.01", "radius: 0"),
+        ":14:82: notches.0.where.disc.radius: needs a number above 0 m, not '0'"),
+    notch("negative radius", DISC.replace("radius: 0.01", "radius: -0.01"),
+        ":14:82: notches.0.where.disc.radius: needs a number above 0 m, not '-0.01'"),
+    notch("infinite radius", DISC.replace("radius: 0.01", "radius: .inf"),
+        ":14:82: notches.0.where.disc.radius: needs a number above 0 m, not '.inf'; it must be finite"),
+    notch("radius with its unit", DISC.replace("radius: 0.01", "radius: 1 cm"),
+        ":14:82: notches.0.where.disc.radius: needs a number above 0 m, not '1 cm'"),
+    notch("number for a polygon", "polygon: 3", ":14:29: notches.0.where.polygon: needs a list, not '3'"),
+    notch("map for a polygon", "polygon: {corners: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}",
+        ":14:20: notches.0.where.polygon: needs a list, not a map"),
+    notch("polygon without corners", "polygon: []",
+        ":14:12: notches.0.where: 'notch 0' has fewer than three corners; give a part of a plane with an area"),
+    notch("polygon of two corners", "polygon: [[0.02, 0, 0], [0.02, 0.03, 0]]",
+        ":14:12: notches.0.where: 'notch 0' has fewer than three corners; give a part of a plane with an area"),
+    notch("polygon of too many corners", "polygon: [" + "[0.02, 0, 0], " * 1000 + "[0.02, 0, 0]]",
+        ":14:20: notches.0.where.polygon: has more than 1000 corners; divide it into several notches"),
+    notch("polygon in two dimensions", "polygon: [[0, 0], [0.03, 0], [0, 0.03]]",
+        ":14:30: notches.0.where.polygon.0: needs a list of 3 values, not of 2"),
+    notch("polygon of numbers", "polygon: [0.02, 0, 0]",
+        ":14:30: notches.0.where.polygon.0: needs a list of 3 values, not '0.02'"),
+    notch("text in a polygon", POLYGON.replace("0.03", "top"),
+        ":14:51: notches.0.where.polygon.1.1: needs a number, not 'top'"),
+    notch("infinite polygon", POLYGON.replace("0.03", ".inf"),
+        ":14:51: notches.0.where.polygon.1.1: needs a number, not '.inf'; it must be finite"),
 ]

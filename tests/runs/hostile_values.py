@@ -2,7 +2,7 @@
 
 To add a case, add a line.
 """
-from hostile_scenes import Row
+from hostile_scenes import DISC, POLYGON, RECTANGLE, Row, notch, notched
 
 ALLOWED = ("; allowed are numbers, x, y, z (m), t (s), pi, e, + - * / ^, < <= > >= == !=, && ||, a ? b : c, "
            "and the functions abs, sqrt, exp, log, log10, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, floor, "
@@ -168,4 +168,86 @@ MEANING = [
     Row("step beyond all numbers", "step: auto", "step: 1e300",
         ":9:25: time.step: 1e+300 s is above the largest stable step 0.000813298 s (set by the viscosity of an "
         "entity); use at most 0.000731968 s or `auto`, or say time.allow_unstable: true"),
+    notched("name of a notch in two lines", "[{name: \"left\\nright\", where: {" + DISC + "}}]",
+        ":14:18: notches.0.name: needs one line of at most 60 bytes, not 'left right'; remove the line break at "
+        "byte 5"),
+    notched("two notches of one name", "[{name: a, where: {" + DISC + "}}, {name: a, where: {" + POLYGON + "}}]",
+        ":14:100: notches.1: there is a notch named 'a' already; choose another name"),
+    notched("notch with the default name of another",
+        "[{name: notch 1, where: {" + DISC + "}}, {where: {" + POLYGON + "}}]",
+        ":14:106: notches.1: there is a notch named 'notch 1' already; choose another name"),
+    notched("name of a notch with 61 bytes and fewer letters", "[{name: " + "ü" * 30 + "a, where: {" + DISC + "}}]",
+        ":14:18: notches.0.name: needs one line of at most 60 bytes, not 'üüüüüüüüüüüüüüüüüüüüüüüüüüüüüü...'; it "
+        "has 61"),
+    notched("second notch that is wrong",
+        "[{where: {" + DISC + "}}, {name: b, where: {" + DISC.replace("0.02, 0.02", "1, 0.02") + "}}]",
+        ":14:101: notches.1.where: 'b' lies outside of the block: the notch reaches from x = 1 to 1 m, the block "
+        "from x = 0 to 0.04 m; move the notch"),
+    notch("sides that are parallel", RECTANGLE.replace("[0, 0, 2]", "[0, -0.04, 0]"),
+        ":14:12: notches.0.where: 'notch 0' has no area: its corners lie on a line; give a part of a plane with an "
+        "area"),
+    notch("side lost beside the other", RECTANGLE.replace("[0, 0, 2]", "[0, 0, 1e-300]"),
+        ":14:12: notches.0.where: 'notch 0' has no area: its corners lie on a line; give a part of a plane with an "
+        "area"),
+    notch("corner in quotes", RECTANGLE.replace("0.02, 0, -1", "\"0.02\", 0, -1"),
+        ":14:41: notches.0.where.rectangle.corner.0: needs a number, not '0.02' as a text; remove the quotes"),
+    notch("corner far away", RECTANGLE.replace("[0.02, 0, -1]", "[1e300, 0, -1]"),
+        ":14:32: notches.0.where.rectangle.corner: has x = 1e+300 m, too far from a block of 0.06 m; give lengths "
+        "in m"),
+    notch("corner that no computer holds", RECTANGLE.replace("[0.02, 0, -1]", "[1e400, 0, -1]"),
+        ":14:41: notches.0.where.rectangle.corner.0: needs a number, not '1e400'; it is too large to be held: "
+        "numbers reach 1.7e308"),
+    notch("side without end", RECTANGLE.replace("[0, 0, 2]", "[0, 0, -1e300]"),
+        ":14:76: notches.0.where.rectangle.and: has z = -1e+300 m, too far from a block of 0.06 m; give lengths in "
+        "m"),
+    notch("centre far away", DISC.replace("[0.02, 0.02, 0.01]", "[0.02, 1e300, 0.01]"),
+        ":14:27: notches.0.where.disc.centre: has y = 1e+300 m, too far from a block of 0.06 m; give lengths in m"),
+    notch("polygon far away", POLYGON.replace("0.03", "1e300"),
+        ":14:44: notches.0.where.polygon.1: has y = 1e+300 m, too far from a block of 0.06 m; give lengths in m"),
+    notch("not a number in a polygon", POLYGON.replace("0.03", ".nan"),
+        ":14:51: notches.0.where.polygon.1.1: needs a number, not '.nan'"),
+    notch("radius lost beside an edge", DISC.replace("radius: 0.01", "radius: 1e-30"),
+        ":14:12: notches.0.where: 'notch 0' has a radius of 1e-30 m; give a part of a plane with an area"),
+    notch("corners on a line", "polygon: [[0.02, 0, 0], [0.02, 0.01, 0], [0.02, 0.03, 0]]",
+        ":14:12: notches.0.where: 'notch 0' has no area: its corners lie on a line; give a part of a plane with an "
+        "area"),
+    notch("corners in one place", "polygon: [[0.02, 0, 0], [0.02, 0, 0], [0.02, 0, 0]]",
+        ":14:12: notches.0.where: 'notch 0' has no area: its corners lie on a line; give a part of a plane with an "
+        "area"),
+    notch("polygon that is not plane", "polygon: [[0.02, 0, 0], [0.02, 0.03, 0], [0.03, 0.03, 0.02], [0.02, 0, 0.02]]",
+        ":14:12: notches.0.where: 'notch 0' is not plane: a corner lies 0.00479 m off the plane of the others; "
+        "give a part of a plane with an area"),
+    notch("polygon of sides that cross",
+        "polygon: [[0.02, 0, 0], [0.02, 0.03, 0], [0.02, 0.01, 0.02], [0.02, 0.03, 0.02], [0.02, 0, -1]]",
+        ":14:12: notches.0.where: 'notch 0' has sides that cross or touch each other; give a part of a plane with "
+        "an area"),
+    notch("bow tie for a polygon", "polygon: [[0.02, 0, 0], [0.02, 0.03, 0.02], [0.02, 0.03, 0], [0.02, 0, 0.02]]",
+        ":14:12: notches.0.where: 'notch 0' has no area: its corners lie on a line; give a part of a plane with an "
+        "area"),
+    notch("corner given twice", "polygon: [[0.02, 0, 0], [0.02, 0.03, 0], [0.02, 0.03, 0], [0.02, 0, 0.02]]",
+        ":14:12: notches.0.where: 'notch 0' has sides that cross or touch each other; give a part of a plane with "
+        "an area"),
+    notch("polygon that ends where it begins",
+        "polygon: [[0.02, 0, 0], [0.02, 0.03, 0], [0.02, 0, 0.02], [0.02, 0, 0]]",
+        ":14:12: notches.0.where: 'notch 0' has sides that cross or touch each other; give a part of a plane with "
+        "an area"),
+    notch("notch beside the block", RECTANGLE.replace("0.02, 0, -1", "0.05, 0, -1"),
+        ":14:12: notches.0.where: 'notch 0' lies outside of the block: the notch reaches from x = 0.05 to 0.05 m, "
+        "the block from x = 0 to 0.04 m; move the notch"),
+    notch("notch below the block", DISC.replace("0.02, 0.02, 0.01", "0.02, 0.02, -0.02"),
+        ":14:12: notches.0.where: 'notch 0' lies outside of the block: the notch reaches from z = -0.03 to -0.01 "
+        "m, the block from z = 0 to 0.02 m; move the notch"),
+    notch("notch in mm", POLYGON.replace("0.02", "20").replace("0.03", "30"),
+        ":14:12: notches.0.where: 'notch 0' lies outside of the block: the notch reaches from x = 20 to 20 m, the "
+        "block from x = 0 to 0.04 m; move the notch"),
+    notch("notch on the boundary", RECTANGLE.replace("0.02, 0, -1", "0.04, 0, -1"),
+        ":14:12: notches.0.where: 'notch 0' opens 0 of the block's 64 interior faces: it crosses no line between "
+        "the centres of two neighbouring entities; make it larger or move it"),
+    notch("notch between the centres", "rectangle: {corner: [0.02, 0.006, -1], along: [0, 0.008, 0], and: [0, 0, 2]}",
+        ":14:12: notches.0.where: 'notch 0' opens 0 of the block's 64 interior faces: it crosses no line between "
+        "the centres of two neighbouring entities; make it larger or move it"),
+    notch("notch that passes an edge of the block",
+        "polygon: [[0.03, 0.06, 0], [0.06, 0.03, 0], [0.06, 0.03, 0.02], [0.03, 0.06, 0.02]]",
+        ":14:12: notches.0.where: 'notch 0' opens 0 of the block's 64 interior faces: it crosses no line between "
+        "the centres of two neighbouring entities; make it larger or move it"),
 ]

@@ -21,6 +21,12 @@ SCHEMA = json.loads((ROOT / "inputs/scene.schema.json").read_text(encoding="utf-
 VALIDATOR = jsonschema.Draft7Validator(SCHEMA)
 
 SUPPORT = {"where": {"box": [[0, 0, 0], [1, 1, 1]]}, "velocity": [0, 0, 0]}
+SHAPES = {
+    "rectangle": {"corner": [0, 0, 0], "along": [1, 0, 0], "and": [0, 0, 1]},
+    "disc": {"centre": [0, 0, 0], "normal": [0, 1, 0], "radius": 1},
+    "polygon": [[0, 0, 0], [1, 0, 0], [0, 1, 0]],
+}
+NOTCHES = [{"where": {shape: value}} for shape, value in SHAPES.items()]
 BY_NETWORK = {
     "block": {"cells": [1, 1, 1], "edge": 1},
     "network": {"mass": 1, "edge": {"stiffness": 1}, "diagonal": {"stiffness": 1}},
@@ -39,8 +45,11 @@ VALUES = [None, True, False, -1, 0, 1, 2, 0.25, 1.5, -0.5, 2147483648, "", "no s
           [1, 1], [1, 1, 1], [0, 0, 0], [-1, 1, 1], [1.5, 1, 1], ["x", 0, 0], ["sin(t)", 0, 0], [None, 0, 0],
           [None, None, None], [1, 1, 1, 1], [True, 1, 1], [[1], 1, 1], [{}, 1, 1], [[0, 0, 0], [1, 1, 1]],
           [[0, 0], [1, 1, 1]], [[0, 0, 0], [1, 1, 1], [2, 2, 2]], [SUPPORT], [SUPPORT, SUPPORT], [{}], {"no_such_key": 1},
-          "tetrahedron",
-          "tree", "wide", "full", "rk4", "implicit", "static"]
+          NOTCHES, NOTCHES[1:2], [{**notch, "name": "x"} for notch in NOTCHES], [{**NOTCHES[0], "no_such_key": 1}],
+          SHAPES, *({shape: value} for shape, value in SHAPES.items()), *SHAPES.values(), "x" * 61, 1e-12, [0, -2, 0],
+          *([[0, 0, 0], [1, 0, 0], corner, [0, 1, 0]]
+            for corner in ([1, 1, 0], [1, 1, 1], [-1, 1, 0], [1, 1], [1, 1, "x"])),
+          "tetrahedron", "tree", "wide", "full", "rk4", "implicit", "static"]
 # Values whose spelling matters, written as in a file; every key is tested with them too.
 TEXTS = ['"50"', "'1'", '"0.25"', '"1e3"', '"-1"', '"true"', '"null"', '""', ".inf", "-.inf", ".Inf", "-.INF", '".inf"', ".nan",
          "inf", "1e400", "-1e400", '"1e400"', "1e3", "4.0", "+1", "True", "FALSE", "yes", "Null", "~", "0x10", '"a\\tb"',
@@ -49,7 +58,10 @@ TEXTS = ['"50"', "'1'", '"0.25"', '"1e3"', '"-1"', '"true"', '"null"', '""', ".i
 # a number that no bound excludes.
 ONLY_THE_READER = ("is not a number or an expression", "may depend on x, y, z, but not on t", "must be finite",
                    "too large to be held", "infinity is written .inf", "lies so far from 0",
-                   "outside of 1e-60 to 1e60", "the lower corner is above the upper one", "more than can be counted", "a threshold is a stretch above 0 (.inf: never), not '-1'", "not '.nan'", "not '0x10'")
+                   "outside of 1e-60 to 1e60", "the lower corner is above the upper one", "more than can be counted",
+                   "there is a notch named", "too far from a block of 1.73 m", "has no area", "is not plane",
+                   "sides that cross or touch", "lies outside of the block", "has a radius of",
+                   "a threshold is a stretch above 0 (.inf: never), not '-1'", "not '.nan'", "not '0x10'")
 
 
 class Core(yaml.SafeLoader):
@@ -93,9 +105,12 @@ def own_values(schema):
 
 
 def scene_of(path, value):
-    """A scene that is valid except for this value."""
+    """A scene that is valid except for this value. A notch has only the surface that the path names."""
     scene = copy.deepcopy(BY_MATERIAL if path[0] == "material" else BY_NETWORK)
     place = scene
+    if path[0] == "notches":
+        shape = path[3] if len(path) > 3 else "disc"
+        scene["notches"] = [{"where": {shape: copy.deepcopy(SHAPES[shape])} if shape in SHAPES else {}}]
     for key in path[:-1]:
         place = place[0] if key == "*" else place.setdefault(key, {})
     place[path[-1]] = value
@@ -141,7 +156,8 @@ def reader_and_schema_read_a_spelling_alike(workplace, quick):
     del workplace, quick
     cases = []
     for path, schema in properties(SCHEMA):
-        lists = [["@", 1, 1], [1, 1, "@"], [["@", 0, 0], [1, 1, 1]], [[0, 0, 0], [1, "@", 1]]]
+        lists = [["@", 1, 1], [1, 1, "@"], [["@", 0, 0], [1, 1, 1]], [[0, 0, 0], [1, "@", 1]],
+                 [["@", 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 0, 0], [1, 0, 0], [0, 1, "@"]]]
         for shape in ["@", *(lists if "array" in schema.get("type", "") else [])]:
             text = yaml_text(scene_of(path, shape))
             cases += [(path, f"{shape} with @ = {spelling}", text.replace('"@"', spelling)) for spelling in TEXTS]
