@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
     guard_standard_streams();
     const partition::Session session{argc, argv};
     const partition::Communicator comm = session.world();
-    const auto say = [&](const char* text) {
+    const auto print = [&](const char* text) {
         if (comm.is_root()) {
             std::fprintf(stderr, "cracksim: %s\n", text);
         }
@@ -35,12 +35,12 @@ int main(int argc, char** argv) {
         }
         return simulation::execute(comm, std::get<simulation::CommandLine>(command));
     } catch (const InputError& error) {
-        say(error.what());
+        print(error.what());
         return 2;
     } catch (const InvalidRun&) {
         return 3;
     } catch (const SharedError& error) {
-        say(error.what());
+        print(error.what());
         return 1;
     } catch (const std::bad_alloc&) {
         return end_all_ranks("not enough memory; use fewer block.cells, or more machines");

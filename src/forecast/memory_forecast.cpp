@@ -6,9 +6,9 @@
 #include "core/hexahedron.hpp"
 #include "io/frame_writer.hpp"
 #include "physics/lattice/stretched_sensors.hpp"
-#include "scene/counts.hpp"
 #include "physics/problem/network.hpp"
 #include "physics/state/state.hpp"
+#include "scene/counts.hpp"
 #include "surface/local_surface.hpp"
 #include "surface/mesh_assembly.hpp"
 #include "surface/surface_frames.hpp"
@@ -72,8 +72,8 @@ double state_bytes(const RankCounts& counts, const scene::Time& time) {
     constexpr double per_batch = physics::SharedEdges::bytes_per_batch + limits + sizeof(physics::EdgeBits) +
                                  2 * (sizeof(std::uint32_t) + sizeof(std::int32_t)) + sizeof(std::int32_t);
     constexpr double per_site = sizeof(LocalEntity) + per_batch / lanes;
-    constexpr double per_vertex = sizeof(std::uint8_t) + physics::StretchedSensors::bytes_per_vertex() + sizeof(std::int32_t) +
-                                  2 * sizeof(std::int32_t) / lanes;
+    constexpr double per_vertex = sizeof(std::uint8_t) + physics::StretchedSensors::bytes_per_vertex() +
+                                  sizeof(std::int32_t) + 2 * sizeof(std::int32_t) / lanes;
     const double components = time.scheme == physics::Scheme::ab2 ? 13 : 10;
     return number(counts.local) * per_entity + number(counts.sites) * per_site +
            number(counts.vertex_sites) * (per_vertex + components * number_bytes(time)) + number(counts.interior_faces);
@@ -182,16 +182,16 @@ bool is_kept(const SeriesForecast& series, double cells) {
 /// The root also holds the updates of all ranks, as lists and packed, and the gathered surface with its keys, its order
 /// and the crack mesh.
 double keeping_bytes(const SeriesForecast& series, const RankSetting& setting, double made, double opened) {
-    constexpr double cell_told = sizeof(surface::SurfaceUpdate::Face) + sizeof(EntityId);
-    constexpr double point_told = sizeof(MassId) + sizeof(Vec3);
+    constexpr double cell_sent = sizeof(surface::SurfaceUpdate::Face) + sizeof(EntityId);
+    constexpr double point_sent = sizeof(MassId) + sizeof(Vec3);
     constexpr double cell_kept = sizeof(std::int64_t) + sizeof(std::int32_t);
     const double cells = between(series.faces, opened);
     const double points_a_cell = between(series.points, opened) / std::max(1.0, cells);
     const double crack = (cells - number(series.faces.intact)) / std::max(1.0, cells);
-    const auto told = [&](double faces) { return 2 * faces * (cell_told + points_a_cell * point_told); };
-    const double here = told(made) + made * points_a_cell * (sizeof(LocalMass) + sizeof(Vec3));
+    const auto sent = [&](double faces) { return 2 * faces * (cell_sent + points_a_cell * point_sent); };
+    const double here = sent(made) + made * points_a_cell * (sizeof(LocalMass) + sizeof(Vec3));
     const double meshes = (1 + crack) * between(series.frame_bytes, opened);
-    const double whole = told(cells) + meshes + cells * (1 + points_a_cell) * cell_kept;
+    const double whole = sent(cells) + meshes + cells * (1 + points_a_cell) * cell_kept;
     return here + (setting.is_root ? whole : 0);
 }
 

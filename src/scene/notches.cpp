@@ -45,7 +45,8 @@ Vec3 read_point(const InputNode& node, const Block& block) {
     for (int axis = 0; axis < 3; ++axis) {
         if (std::abs(value[axis]) > farthest * reach) {
             node.fail("has " + std::string{"xyz"[axis]} + " = " + rounded(value[axis], 3) +
-                      " m, too far from a block of " + rounded(reach, 3) + " m; give lengths in m");
+                      " m, more than a million times the block's reach of " + rounded(reach, 3) +
+                      " m; give lengths in m");
         }
     }
     return value;
@@ -79,10 +80,11 @@ std::variant<RectangleSettings, DiscSettings, PolygonSettings> read_shape(const 
     const MaybeNode rectangle = where.find("rectangle");
     const MaybeNode disc = where.find("disc");
     const MaybeNode polygon = where.find("polygon");
-    if ((rectangle ? 1 : 0) + (disc ? 1 : 0) + (polygon ? 1 : 0) != 1) {
-        where.fail(
-            "needs one surface: rectangle: {corner, along, and}, disc: {centre, normal, radius} or polygon: "
-            "[[x, y, z], ...]");
+    const int given = (rectangle ? 1 : 0) + (disc ? 1 : 0) + (polygon ? 1 : 0);
+    if (given != 1) {
+        where.fail((given == 0 ? "needs a surface: " : "needs one surface, not " + std::to_string(given) + ": ") +
+                   std::string{"rectangle: {corner, along, and}, disc: {centre, normal, radius} or polygon: "
+                               "[[x, y, z], ...]"});
     }
     if (rectangle) {
         return read_rectangle(*rectangle, block);
@@ -103,6 +105,13 @@ physics::PlanarSurface surface_of(const NotchSettings& notch, double scale) {
     return physics::PlanarSurface::polygon(std::get<PolygonSettings>(notch.where).corners, scale);
 }
 
+std::string reach_text(double lower, double upper, const std::string& axis) {
+    constexpr int digits = 9;
+    return lower == upper
+               ? "lies at " + axis + " = " + rounded(lower, digits) + " m"
+               : "reaches from " + axis + " = " + rounded(lower, digits) + " to " + rounded(upper, digits) + " m";
+}
+
 /// Throws InputError for a surface that is degenerate or outside of the block.
 void check_surface(const InputNode& where, const NotchSettings& notch, const Block& block) {
     const std::string name = "'" + notch.name + "' ";
@@ -111,15 +120,14 @@ void check_surface(const InputNode& where, const NotchSettings& notch, const Blo
         const Box box = box_of(block);
         for (int axis = 0; axis < 3; ++axis) {
             if (upper[axis] < box.lower[axis] || lower[axis] > box.upper[axis]) {
-                const std::string along{"xyz"[axis]};
-                where.fail(name + "lies outside of the block: the notch reaches from " + along + " = " +
-                           rounded(lower[axis], 3) + " to " + rounded(upper[axis], 3) + " m, the block from " + along +
-                           " = " + rounded(box.lower[axis], 3) + " to " + rounded(box.upper[axis], 3) +
-                           " m; move the notch");
+                const std::string name_of_axis{"xyz"[axis]};
+                where.fail(name + "lies outside of the block: the notch " +
+                           reach_text(lower[axis], upper[axis], name_of_axis) + ", the block " +
+                           reach_text(box.lower[axis], box.upper[axis], name_of_axis) + "; move the notch");
             }
         }
     } catch (const std::invalid_argument& reason) {
-        where.fail(name + reason.what() + "; give a part of a plane with an area");
+        where.fail(name + reason.what());
     }
 }
 

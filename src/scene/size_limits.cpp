@@ -20,7 +20,7 @@ void refuse_above_limit(std::int64_t entities_of_a_rank) {
     }
 }
 
-/// The places of a block's vertices in rows along x are numbered, with all their planes, in 32 bits on each rank.
+/// Each rank indexes the vertex sites of its rows along x, times the number of layers, with 32 bits.
 void refuse_long_rows(const Block& block, int ranks) {
     // The largest rank may hold a quarter more than the mean.
     constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max() / physics::layers * std::int64_t{4} / 5;

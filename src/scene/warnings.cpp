@@ -78,17 +78,17 @@ std::optional<std::string> emptiness(const Scene& scene, const SupportSettings& 
 }
 
 void warn_of_empty_supports(const Scene& scene, std::vector<std::string>& warnings) {
-    constexpr int told = 3;
+    constexpr int listed = 3;
     int empty = 0;
     for (const SupportSettings& support : scene.supports) {
         const auto why = emptiness(scene, support);
         empty += why ? 1 : 0;
-        if (why && empty <= told) {
+        if (why && empty <= listed) {
             warnings.push_back(*why);
         }
     }
-    if (empty > told) {
-        warnings.push_back("supports: " + std::to_string(empty - told) + " more of them hold nothing");
+    if (empty > listed) {
+        warnings.push_back("supports: " + std::to_string(empty - listed) + " more of them hold nothing");
     }
 }
 

@@ -77,8 +77,9 @@ std::vector<std::string> dry_run_lines(const forecast::Forecast& forecast, bool 
                         grouped(forecast.output.per_face) + " bytes to the frames of each later time");
     }
     if (!built) {
-        lines.push_back("too large to be built by --dry-run: expressions were not evaluated" +
-                        std::string{forecast.is_partitioned ? "" : ", what each rank holds is estimated"});
+        lines.push_back(
+            "too large to be built by --dry-run: expressions were not evaluated, faces of notches not counted" +
+            std::string{forecast.is_partitioned ? "" : ", what each rank holds is estimated"});
     }
     lines.emplace_back("dry run: nothing was computed or written");
     return lines;

@@ -131,14 +131,14 @@ void Coat::count_opened(const topology::Changes& changes) {
 
 std::vector<LocalMass> Coat::share_masks(const topology::Changes& changes) {
     std::vector<std::vector<Mask>> outgoing(static_cast<std::size_t>(comm_->size()));
-    const auto tell = [&](LocalEntity e) {
+    const auto send = [&](LocalEntity e) {
         for (const Rank holder : decomposition_->owned[e] != 0 ? halo_.holders(e) : std::span<const Rank>{}) {
             outgoing[holder.index()].push_back({decomposition_->entities[e], map_.sewn_mask(e)});
         }
     };
     for (const topology::UnsewnFace& face : changes.unsewn) {
-        tell(face.entity);
-        tell(face.neighbour);
+        send(face.entity);
+        send(face.neighbour);
     }
     std::vector<LocalMass> corners;
     for (const auto& masks : comm_->exchange(outgoing)) {

@@ -15,7 +15,7 @@ using CornerOrbit = InlineVector<LocalMass, 8>;
 
 /// The orbit of a dart under the named involutions, in breadth-first order:
 /// orbit<1, 2> corner, orbit<1, 2, 3> vertex, orbit<0, 2, 3> edge, orbit<0, 1, 3> face, orbit<0, 1, 2> volume.
-/// The cost is quadratic in the orbit's size; for components use components.hpp. The walk does not cross faces that are
+/// The cost is quadratic in the orbit's size; for components use connectivity/. The walk does not cross faces that are
 /// sewn to remote entities.
 template <int... I>
 [[nodiscard]] DartOrbit orbit(const GMap& map, Dart start) {

@@ -119,12 +119,16 @@ private:
 
     static double crack_area(const Simulation& s) {
         const Block& block = s.scene().block;
+        const physics::Network& network = s.dynamics().network();
         const partition::Decomposition& d = s.dynamics().decomposition();
         std::array<std::int64_t, 3> opened{};
         for (LocalEntity e{0}; e.index() < d.entities.size(); ++e) {
             for (int face = 1; d.owned[e] != 0 && face < Hexahedron::faces; face += 2) {
                 const bool inside = block.neighbour(d.entities[e], face).has_value();
-                opened[static_cast<std::size_t>(face / 2)] += inside && !s.coat().map().is_sewn(e, face) ? 1 : 0;
+                const bool open = inside && !s.coat().map().is_sewn(e, face);
+                const bool notched = open && network.is_notched(network.interior_faces().at(e, face));
+                EXPECT_EQ(notched, open && s.coat().opened_at(e, face) == 0);
+                opened[static_cast<std::size_t>(face / 2)] += open && !notched ? 1 : 0;
             }
         }
         world().sum(opened);

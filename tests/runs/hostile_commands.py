@@ -165,7 +165,7 @@ COMMANDS = [
      "the centres of two neighbouring entities; make it larger or move it"),
     ("setting of a notch without an area",
      ["scene.yaml", "--set", "notches=[{where: {disc: {centre: [0, 0, 0], normal: [0, 0, 0], radius: 0.01}}}]"],
-     "--set notches: notches.0.where: 'notch 0' has a normal of length 0; give a part of a plane with an area"),
+     "--set notches: notches.0.where: 'notch 0' has a normal of length 0; give the direction across the disc"),
     ("two settings that exclude each other", ["scene.yaml", "--set", "network={mass: 1}"],
      "--set network: material and network exclude each other; remove one of the two"),
 ]

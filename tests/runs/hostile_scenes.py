@@ -222,14 +222,14 @@ FORM = [
         "[" + ("{where: {" + DISC + "}}, ") * 10_000 + "{where: {" + DISC + "}}]",
         ":14:1: notches: has more than 10000 notches; join their surfaces"),
     notch("notch without a surface", "",
-        ":14:12: notches.0.where: needs one surface: rectangle: {corner, along, and}, disc: {centre, normal, "
-        "radius} or polygon: [[x, y, z], ...]"),
+        ":14:12: notches.0.where: needs a surface: rectangle: {corner, along, and}, disc: {centre, "
+        "normal, radius} or polygon: [[x, y, z], ...]"),
     notch("notch of two surfaces", RECTANGLE + ", " + DISC,
-        ":14:12: notches.0.where: needs one surface: rectangle: {corner, along, and}, disc: {centre, normal, "
-        "radius} or polygon: [[x, y, z], ...]"),
+        ":14:12: notches.0.where: needs one surface, not 2: rectangle: {corner, along, and}, disc: "
+        "{centre, normal, radius} or polygon: [[x, y, z], ...]"),
     notch("notch of three surfaces", RECTANGLE + ", " + DISC + ", " + POLYGON,
-        ":14:12: notches.0.where: needs one surface: rectangle: {corner, along, and}, disc: {centre, normal, "
-        "radius} or polygon: [[x, y, z], ...]"),
+        ":14:12: notches.0.where: needs one surface, not 3: rectangle: {corner, along, and}, disc: "
+        "{centre, normal, radius} or polygon: [[x, y, z], ...]"),
     notch("unknown surface of a notch", "ellipse: {}",
         ":14:20: notches.0.where.ellipse: unknown key; known here are rectangle, disc, polygon"),
     notch("box for the surface of a notch", "box: [[0, 0, 0], [1, 1, 1]]",
@@ -260,8 +260,8 @@ FORM = [
         ":14:55: notches.0.where.rectangle.along: needs a list of 3 values, not of 4; put an expression that holds "
         "commas in quotes"),
     notch("side of length 0", RECTANGLE.replace("[0, 0.02, 0]", "[0, 0, 0]"),
-        ":14:12: notches.0.where: 'notch 0' has no area: its corners lie on a line; give a part of a plane with an "
-        "area"),
+        ":14:12: notches.0.where: 'notch 0' encloses no area: its corners lie on a line, or its sides "
+        "cross; give each corner once, in order around it"),
     notch("infinite side", RECTANGLE.replace("[0, 0, 2]", "[0, 0, .inf]"),
         ":14:88: notches.0.where.rectangle.and.2: needs a number, not '.inf'; it must be finite"),
     notch("text in a side", RECTANGLE.replace("[0, 0, 2]", "[0, 0, up]"),
@@ -279,7 +279,7 @@ FORM = [
     notch("text in a centre", DISC.replace("[0.02, 0.02, 0.01]", "[0.02, middle, 0.01]"),
         ":14:42: notches.0.where.disc.centre.1: needs a number, not 'middle'"),
     notch("normal of length 0", DISC.replace("[1, 0, 0]", "[0, 0, 0]"),
-        ":14:12: notches.0.where: 'notch 0' has a normal of length 0; give a part of a plane with an area"),
+        ":14:12: notches.0.where: 'notch 0' has a normal of length 0; give the direction across the disc"),
     notch("axis for a normal", DISC.replace("[1, 0, 0]", "x"),
         ":14:63: notches.0.where.disc.normal: needs a list of 3 values, not 'x'"),
     notch("infinite normal", DISC.replace("[1, 0, 0]", "[.inf, 0, 0]"),
@@ -296,9 +296,9 @@ FORM = [
     notch("map for a polygon", "polygon: {corners: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}",
         ":14:20: notches.0.where.polygon: needs a list, not a map"),
     notch("polygon without corners", "polygon: []",
-        ":14:12: notches.0.where: 'notch 0' has fewer than three corners; give a part of a plane with an area"),
+        ":14:12: notches.0.where: 'notch 0' has fewer than three corners; give three or more"),
     notch("polygon of two corners", "polygon: [[0.02, 0, 0], [0.02, 0.03, 0]]",
-        ":14:12: notches.0.where: 'notch 0' has fewer than three corners; give a part of a plane with an area"),
+        ":14:12: notches.0.where: 'notch 0' has fewer than three corners; give three or more"),
     notch("polygon of too many corners", "polygon: [" + "[0.02, 0, 0], " * 1000 + "[0.02, 0, 0]]",
         ":14:20: notches.0.where.polygon: has more than 1000 corners; divide it into several notches"),
     notch("polygon in two dimensions", "polygon: [[0, 0], [0.03, 0], [0, 0.03]]",

@@ -181,65 +181,68 @@ MEANING = [
         "has 61"),
     notched("second notch that is wrong",
         "[{where: {" + DISC + "}}, {name: b, where: {" + DISC.replace("0.02, 0.02", "1, 0.02") + "}}]",
-        ":14:101: notches.1.where: 'b' lies outside of the block: the notch reaches from x = 1 to 1 m, the block "
-        "from x = 0 to 0.04 m; move the notch"),
+        ":14:101: notches.1.where: 'b' lies outside of the block: the notch lies at x = 1 m, the block "
+        "reaches from x = 0 to 0.04 m; move the notch"),
     notch("sides that are parallel", RECTANGLE.replace("[0, 0, 2]", "[0, -0.04, 0]"),
-        ":14:12: notches.0.where: 'notch 0' has no area: its corners lie on a line; give a part of a plane with an "
-        "area"),
+        ":14:12: notches.0.where: 'notch 0' encloses no area: its corners lie on a line, or its sides "
+        "cross; give each corner once, in order around it"),
     notch("side lost beside the other", RECTANGLE.replace("[0, 0, 2]", "[0, 0, 1e-300]"),
-        ":14:12: notches.0.where: 'notch 0' has no area: its corners lie on a line; give a part of a plane with an "
-        "area"),
+        ":14:12: notches.0.where: 'notch 0' encloses no area: its corners lie on a line, or its sides "
+        "cross; give each corner once, in order around it"),
     notch("corner in quotes", RECTANGLE.replace("0.02, 0, -1", "\"0.02\", 0, -1"),
         ":14:41: notches.0.where.rectangle.corner.0: needs a number, not '0.02' as a text; remove the quotes"),
     notch("corner far away", RECTANGLE.replace("[0.02, 0, -1]", "[1e300, 0, -1]"),
-        ":14:32: notches.0.where.rectangle.corner: has x = 1e+300 m, too far from a block of 0.06 m; give lengths "
-        "in m"),
+        ":14:32: notches.0.where.rectangle.corner: has x = 1e+300 m, more than a million times the "
+        "block's reach of 0.06 m; give lengths in m"),
     notch("corner that no computer holds", RECTANGLE.replace("[0.02, 0, -1]", "[1e400, 0, -1]"),
         ":14:41: notches.0.where.rectangle.corner.0: needs a number, not '1e400'; it is too large to be held: "
         "numbers reach 1.7e308"),
     notch("side without end", RECTANGLE.replace("[0, 0, 2]", "[0, 0, -1e300]"),
-        ":14:76: notches.0.where.rectangle.and: has z = -1e+300 m, too far from a block of 0.06 m; give lengths in "
-        "m"),
+        ":14:76: notches.0.where.rectangle.and: has z = -1e+300 m, more than a million times the block's "
+        "reach of 0.06 m; give lengths in m"),
     notch("centre far away", DISC.replace("[0.02, 0.02, 0.01]", "[0.02, 1e300, 0.01]"),
-        ":14:27: notches.0.where.disc.centre: has y = 1e+300 m, too far from a block of 0.06 m; give lengths in m"),
+        ":14:27: notches.0.where.disc.centre: has y = 1e+300 m, more than a million times the block's "
+        "reach of 0.06 m; give lengths in m"),
     notch("polygon far away", POLYGON.replace("0.03", "1e300"),
-        ":14:44: notches.0.where.polygon.1: has y = 1e+300 m, too far from a block of 0.06 m; give lengths in m"),
+        ":14:44: notches.0.where.polygon.1: has y = 1e+300 m, more than a million times the block's reach"
+        " of 0.06 m; give lengths in m"),
     notch("not a number in a polygon", POLYGON.replace("0.03", ".nan"),
         ":14:51: notches.0.where.polygon.1.1: needs a number, not '.nan'"),
     notch("radius lost beside an edge", DISC.replace("radius: 0.01", "radius: 1e-30"),
-        ":14:12: notches.0.where: 'notch 0' has a radius of 1e-30 m; give a part of a plane with an area"),
+        ":14:12: notches.0.where: 'notch 0' has a radius of 1e-30 m, too small beside an entity; give at "
+        "least 0.01 m"),
     notch("corners on a line", "polygon: [[0.02, 0, 0], [0.02, 0.01, 0], [0.02, 0.03, 0]]",
-        ":14:12: notches.0.where: 'notch 0' has no area: its corners lie on a line; give a part of a plane with an "
-        "area"),
+        ":14:12: notches.0.where: 'notch 0' encloses no area: its corners lie on a line, or its sides "
+        "cross; give each corner once, in order around it"),
     notch("corners in one place", "polygon: [[0.02, 0, 0], [0.02, 0, 0], [0.02, 0, 0]]",
-        ":14:12: notches.0.where: 'notch 0' has no area: its corners lie on a line; give a part of a plane with an "
-        "area"),
+        ":14:12: notches.0.where: 'notch 0' encloses no area: its corners lie on a line, or its sides "
+        "cross; give each corner once, in order around it"),
     notch("polygon that is not plane", "polygon: [[0.02, 0, 0], [0.02, 0.03, 0], [0.03, 0.03, 0.02], [0.02, 0, 0.02]]",
-        ":14:12: notches.0.where: 'notch 0' is not plane: a corner lies 0.00479 m off the plane of the others; "
-        "give a part of a plane with an area"),
+        ":14:12: notches.0.where: 'notch 0' is not plane: corner 1 lies 0.00479 m off the plane through "
+        "corner 0; move it into the plane"),
     notch("polygon of sides that cross",
         "polygon: [[0.02, 0, 0], [0.02, 0.03, 0], [0.02, 0.01, 0.02], [0.02, 0.03, 0.02], [0.02, 0, -1]]",
-        ":14:12: notches.0.where: 'notch 0' has sides that cross or touch each other; give a part of a plane with "
-        "an area"),
+        ":14:12: notches.0.where: 'notch 0' has sides that cross or touch each other; give each corner "
+        "once, in order around it"),
     notch("bow tie for a polygon", "polygon: [[0.02, 0, 0], [0.02, 0.03, 0.02], [0.02, 0.03, 0], [0.02, 0, 0.02]]",
-        ":14:12: notches.0.where: 'notch 0' has no area: its corners lie on a line; give a part of a plane with an "
-        "area"),
+        ":14:12: notches.0.where: 'notch 0' encloses no area: its corners lie on a line, or its sides "
+        "cross; give each corner once, in order around it"),
     notch("corner given twice", "polygon: [[0.02, 0, 0], [0.02, 0.03, 0], [0.02, 0.03, 0], [0.02, 0, 0.02]]",
-        ":14:12: notches.0.where: 'notch 0' has sides that cross or touch each other; give a part of a plane with "
-        "an area"),
+        ":14:12: notches.0.where: 'notch 0' has sides that cross or touch each other; give each corner "
+        "once, in order around it"),
     notch("polygon that ends where it begins",
         "polygon: [[0.02, 0, 0], [0.02, 0.03, 0], [0.02, 0, 0.02], [0.02, 0, 0]]",
-        ":14:12: notches.0.where: 'notch 0' has sides that cross or touch each other; give a part of a plane with "
-        "an area"),
+        ":14:12: notches.0.where: 'notch 0' has sides that cross or touch each other; give each corner "
+        "once, in order around it"),
     notch("notch beside the block", RECTANGLE.replace("0.02, 0, -1", "0.05, 0, -1"),
-        ":14:12: notches.0.where: 'notch 0' lies outside of the block: the notch reaches from x = 0.05 to 0.05 m, "
-        "the block from x = 0 to 0.04 m; move the notch"),
+        ":14:12: notches.0.where: 'notch 0' lies outside of the block: the notch lies at x = 0.05 m, the "
+        "block reaches from x = 0 to 0.04 m; move the notch"),
     notch("notch below the block", DISC.replace("0.02, 0.02, 0.01", "0.02, 0.02, -0.02"),
-        ":14:12: notches.0.where: 'notch 0' lies outside of the block: the notch reaches from z = -0.03 to -0.01 "
-        "m, the block from z = 0 to 0.02 m; move the notch"),
+        ":14:12: notches.0.where: 'notch 0' lies outside of the block: the notch reaches from z = -0.03 "
+        "to -0.01 m, the block reaches from z = 0 to 0.02 m; move the notch"),
     notch("notch in mm", POLYGON.replace("0.02", "20").replace("0.03", "30"),
-        ":14:12: notches.0.where: 'notch 0' lies outside of the block: the notch reaches from x = 20 to 20 m, the "
-        "block from x = 0 to 0.04 m; move the notch"),
+        ":14:12: notches.0.where: 'notch 0' lies outside of the block: the notch lies at x = 20 m, the "
+        "block reaches from x = 0 to 0.04 m; move the notch"),
     notch("notch on the boundary", RECTANGLE.replace("0.02, 0, -1", "0.04, 0, -1"),
         ":14:12: notches.0.where: 'notch 0' opens 0 of the block's 64 interior faces: it crosses no line between "
         "the centres of two neighbouring entities; make it larger or move it"),

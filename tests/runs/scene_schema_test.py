@@ -59,7 +59,7 @@ TEXTS = ['"50"', "'1'", '"0.25"', '"1e3"', '"-1"', '"true"', '"null"', '""', ".i
 ONLY_THE_READER = ("is not a number or an expression", "may depend on x, y, z, but not on t", "must be finite",
                    "too large to be held", "infinity is written .inf", "lies so far from 0",
                    "outside of 1e-60 to 1e60", "the lower corner is above the upper one", "more than can be counted",
-                   "there is a notch named", "too far from a block of 1.73 m", "has no area", "is not plane",
+                   "there is a notch named", "a million times the block's reach of 1.73 m", "encloses no area", "is not plane",
                    "sides that cross or touch", "lies outside of the block", "has a radius of",
                    "a threshold is a stretch above 0 (.inf: never), not '-1'", "not '.nan'", "not '0x10'")
 

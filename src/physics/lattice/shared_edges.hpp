@@ -107,8 +107,8 @@ public:
         std::array<std::uint8_t, rows> multiplicities{};
         for (std::size_t row = 0; row < rows; ++row) {
             const bool is_shared = row < HexahedronPairs::edges;
-            const bool is_carried = (interior_list >> row & 1U) != 0;
-            multiplicities[row] = !is_shared ? 1 : is_carried ? 4 : 0;
+            const bool is_represented = (interior_list >> row & 1U) != 0;
+            multiplicities[row] = !is_shared ? 1 : is_represented ? 4 : 0;
         }
         return multiplicities;
     }();

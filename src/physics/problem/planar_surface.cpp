@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "core/text.hpp"
 
@@ -88,11 +89,12 @@ PlanarSurface::PlanarSurface(Vec3 origin, Vec3 normal, double scale)
 
 PlanarSurface PlanarSurface::disc(Vec3 centre, Vec3 normal, double radius, double scale) {
     if (!(largest_component(normal) > 0)) {
-        throw std::invalid_argument{"has a normal of length 0"};
+        throw std::invalid_argument{"has a normal of length 0; give the direction across the disc"};
     }
     PlanarSurface surface{centre, (1 / largest_component(normal)) * normal, scale};
     if (!(radius > surface.tolerance_)) {
-        throw std::invalid_argument{"has a radius of " + rounded(radius, 6) + " m"};
+        throw std::invalid_argument{"has a radius of " + rounded(radius, 6) +
+                                    " m, too small beside an entity; give at least " + rounded(scale, 3) + " m"};
     }
     surface.radius_ = radius;
     return surface;
@@ -100,23 +102,27 @@ PlanarSurface PlanarSurface::disc(Vec3 centre, Vec3 normal, double radius, doubl
 
 PlanarSurface PlanarSurface::polygon(std::span<const Vec3> corners, double scale) {
     if (corners.size() < 3) {
-        throw std::invalid_argument{"has fewer than three corners"};
+        throw std::invalid_argument{"has fewer than three corners; give three or more"};
     }
     const Vec3 area = doubled_area(corners);
     const double size = extent(corners);
     if (!(norm(area) > tolerance_of_scale * scale * size)) {
-        throw std::invalid_argument{"has no area: its corners lie on a line"};
+        throw std::invalid_argument{
+            "encloses no area: its corners lie on a line, or its sides cross; give each corner once, in order around "
+            "it"};
     }
     PlanarSurface surface{corners[0], area, scale};
-    for (const Vec3& corner : corners) {
-        if (std::abs(surface.height(corner)) > flatness * size) {
-            throw std::invalid_argument{"is not plane: a corner lies " + rounded(std::abs(surface.height(corner)), 3) +
-                                        " m off the plane of the others"};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const double off = std::abs(surface.height(corners[i]));
+        if (off > flatness * size) {
+            throw std::invalid_argument{"is not plane: corner " + std::to_string(i) + " lies " + rounded(off, 3) +
+                                        " m off the plane through corner 0; move it into the plane"};
         }
-        surface.outline_.push_back(surface.in_plane(corner));
+        surface.outline_.push_back(surface.in_plane(corners[i]));
     }
     if (sides_cross(surface.outline_, surface.tolerance_)) {
-        throw std::invalid_argument{"has sides that cross or touch each other"};
+        throw std::invalid_argument{
+            "has sides that cross or touch each other; give each corner once, in order around it"};
     }
     return surface;
 }

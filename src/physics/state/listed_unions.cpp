@@ -21,27 +21,27 @@ ListedUnions::ListedUnions(const Unions& unions, std::vector<LocalMass> masses) 
 }
 
 std::vector<ListedUnions::NewPart> ListedUnions::update(const Unions& unions) {
-    std::vector<NewPart> relabelled;
+    std::vector<NewPart> changed;
     for (std::uint32_t place = 0; place < masses_.size(); ++place) {
-        const auto label = static_cast<std::uint8_t>(unions.part(masses_[place]));
-        if (label != part_[place]) {
-            part_[place] = label;
-            relabelled.push_back({place, label});
+        const auto part = static_cast<std::uint8_t>(unions.part(masses_[place]));
+        if (part != part_[place]) {
+            part_[place] = part;
+            changed.push_back({place, part});
         }
     }
-    if (!relabelled.empty()) {
+    if (!changed.empty()) {
         find_entries();
     }
-    return relabelled;
+    return changed;
 }
 
 void ListedUnions::find_entries() {
     constexpr unsigned bits = 53;
-    std::uint64_t labels = 0;
-    for (const std::uint8_t label : part_) {
-        labels = mix(labels + label);
+    std::uint64_t parts = 0;
+    for (const std::uint8_t part : part_) {
+        parts = mix(parts + part);
     }
-    fingerprint_ = labels >> (std::numeric_limits<std::uint64_t>::digits - bits);
+    fingerprint_ = parts >> (std::numeric_limits<std::uint64_t>::digits - bits);
     entries_.clear();
     for (std::uint32_t place = 0; place < masses_.size(); ++place) {
         if (!is_listed_before(place)) {

@@ -18,7 +18,7 @@ public:
     };
     struct NewPart {
         std::uint32_t place;  ///< place of a mass in the list
-        std::uint8_t label;
+        std::uint8_t part;
     };
 
     /// The largest memory per mass of the list.

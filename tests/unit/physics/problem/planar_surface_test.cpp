@@ -72,13 +72,13 @@ TEST(PlanarSurface, RefusesWhatIsDegenerate) {
         return [=] { return PlanarSurface::polygon(corners, 1); };
     };
     EXPECT_NE(fault(polygon({{0, 0, 0}, {1, 0, 0}})).find("fewer than three corners"), std::string::npos);
-    EXPECT_NE(fault(polygon({{0, 0, 0}, {1, 1, 0}, {3, 3, 0}})).find("no area"), std::string::npos);
+    EXPECT_NE(fault(polygon({{0, 0, 0}, {1, 1, 0}, {3, 3, 0}})).find("encloses no area"), std::string::npos);
     EXPECT_NE(fault(polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}})).find("not plane"), std::string::npos);
     EXPECT_NE(fault(polygon({{0, 0, 0}, {2, 0, 0}, {0.5, 1, 0}, {1.5, 1, 0}, {0, 0.5, 0}})).find("cross"),
               std::string::npos);
     EXPECT_NE(fault([] {
                   return PlanarSurface::rectangle({0, 0, 0}, {1, 0, 0}, {2, 0, 0}, 1);
-              }).find("no area"),
+              }).find("encloses no area"),
               std::string::npos);
     EXPECT_NE(fault([] { return PlanarSurface::disc({0, 0, 0}, {0, 0, 0}, 1, 1); }).find("normal"), std::string::npos);
     EXPECT_NE(fault([] { return PlanarSurface::disc({0, 0, 0}, {0, 0, 1}, 0, 1); }).find("radius"), std::string::npos);
