@@ -45,10 +45,17 @@ std::string read_input(const partition::Communicator& comm, const std::filesyste
     return comm.broadcast(std::move(text));
 }
 
-std::vector<std::string> warnings(const scene::Scene& scene, const scene::CertifiedStep& certified) {
+std::vector<std::string> warnings(const scene::Scene& scene, const scene::CertifiedStep& certified,
+                                  const ProblemCounts& counts) {
     std::vector<std::string> all = scene.warnings;
     if (!certified.warning.empty()) {
         all.push_back(certified.warning);
+    }
+    if (counts.notched_faces > 0 && counts.unions == scene.block.vertex_count()) {
+        all.emplace_back(
+            "notches: they part no Mass-union, because each is only one entity wide; the entities hang together around "
+            "its "
+            "rim; make it at least two entities wide in both directions, or let it reach the block's surface");
     }
     return all;
 }
@@ -60,11 +67,11 @@ void print(io::Log& log, const std::vector<std::string>& lines) {
 }
 
 /// Prints the first lines of a run or of a dry run: version, overview and warnings.
-void announce(io::Log& log, const CommandLine& command, const scene::Scene& scene, const scene::CertifiedStep& certified, int ranks,
-              const forecast::Forecast& forecast) {
+void announce(io::Log& log, const CommandLine& command, const scene::Scene& scene,
+              const scene::CertifiedStep& certified, int ranks, const forecast::Forecast& forecast) {
     log.info(io::version_line() + ": " + (scene.title.empty() ? command.input.string() : scene.title));
     print(log, overview(scene, certified, ranks, forecast));
-    for (const std::string& warning : warnings(scene, certified)) {
+    for (const std::string& warning : warnings(scene, certified, forecast.counts)) {
         log.warn(warning);
     }
 }

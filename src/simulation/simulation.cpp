@@ -40,7 +40,7 @@ Simulation::Simulation(const partition::Communicator& comm, const scene::Scene& 
       stopwatch_{&stopwatch},
       certified_{std::move(certified)},
       dynamics_{comm, scene, certified_.step, stopwatch},
-      coat_{comm, scene.block, dynamics_.decomposition(), dynamics_.state().unions},
+      coat_{comm, dynamics_.network(), dynamics_.decomposition(), dynamics_.state().unions},
       coat_schedule_{scene.coat_rate, certified_.step},
       frame_schedule_{scene.output.rate, certified_.step},
       history_schedule_{scene.history_rate, certified_.step} {}

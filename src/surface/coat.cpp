@@ -85,20 +85,36 @@ geometry::SharedUnions shared_unions(const partition::Decomposition& decompositi
     return shared;
 }
 
+/// By entity, a bit for each face that is notched; empty without notches.
+IdArray<LocalEntity, std::uint8_t> notched_faces(const physics::Network& network) {
+    if (network.notched_faces().empty()) {
+        return {};
+    }
+    IdArray<LocalEntity, std::uint8_t> found(network.entities().size());
+    const auto add = [&](LocalEntity e, unsigned face) { found[e] = static_cast<std::uint8_t>(found[e] | 1U << face); };
+    for (const std::int32_t f : network.notched_faces()) {
+        const physics::InteriorFace& face = network.interior_faces()[f];
+        add(face.a, face.face_a);
+        add(face.b, face.face_b);
+    }
+    return found;
+}
+
 }  // namespace
 
-Coat::Coat(const partition::Communicator& comm, const Block& block, const partition::Decomposition& decomposition,
-           const physics::Unions& unions)
+Coat::Coat(const partition::Communicator& comm, const physics::Network& network,
+           const partition::Decomposition& decomposition, const physics::Unions& unions)
     : comm_{&comm},
       decomposition_{&decomposition},
-      block_{block},
+      block_{network.block()},
       halo_{comm, decomposition},
-      map_{map_of(block, decomposition, halo_, unions)},
+      map_{map_of(block_, decomposition, halo_, unions)},
       unions_{shared_unions(decomposition, unions)},
       search_{decomposition.entities.size()},
       components_{comm, decomposition, halo_, SewnFaces{map_, decomposition}},
       fragments_{comm, decomposition, halo_, unions_},
-      surface_{map_, decomposition.owned.span(), [](LocalEntity, int) { return 0.0; }} {}
+      surface_{map_, decomposition.owned.span(), [](LocalEntity, int) { return 0.0; }},
+      notched_{notched_faces(network)} {}
 
 void Coat::modify(const physics::SplitStream& splits) {
     if (comm_->sum(static_cast<std::int64_t>(splits.size())) == 0) {
@@ -121,7 +137,8 @@ void Coat::modify(const physics::SplitStream& splits) {
 void Coat::count_opened(const topology::Changes& changes) {
     std::array<std::int64_t, 3> opened{};
     for (const topology::UnsewnFace& face : changes.unsewn) {
-        opened[static_cast<std::size_t>(face.face / 2)] += decomposition_->owned[face.entity] != 0 ? 1 : 0;
+        const bool counts = decomposition_->owned[face.entity] != 0 && !is_notched(face.entity, face.face);
+        opened[static_cast<std::size_t>(face.face / 2)] += counts ? 1 : 0;
     }
     comm_->sum(opened);
     for (std::size_t axis = 0; axis < opened.size(); ++axis) {
@@ -154,8 +171,9 @@ std::vector<LocalMass> Coat::share_masks(const topology::Changes& changes) {
 
 void Coat::update_surface(const topology::Changes& changes, std::vector<LocalMass> corners) {
     for (const topology::UnsewnFace& face : changes.unsewn) {
-        surface_.open(face.entity, face.face, face.time);
-        surface_.open(face.neighbour, face.neighbour_face, face.time);
+        const double time = is_notched(face.entity, face.face) ? 0.0 : face.time;
+        surface_.open(face.entity, face.face, time);
+        surface_.open(face.neighbour, face.neighbour_face, time);
         append_corners(face.entity, 1U << static_cast<unsigned>(face.face), corners);
         append_corners(face.neighbour, 1U << static_cast<unsigned>(face.neighbour_face), corners);
     }
@@ -250,8 +268,8 @@ std::optional<std::string> Coat::find_open_boundary(std::span<const geometry::Fr
 }
 
 std::size_t Coat::memory_bytes() const {
-    return map_.memory_bytes() + unions_.memory_bytes() + search_.memory_bytes() + components_.memory_bytes() +
-           fragments_.memory_bytes() + surface_.memory_bytes();
+    return map_.memory_bytes() + unions_.memory_bytes() + search_.memory_bytes() + notched_.bytes() +
+           components_.memory_bytes() + fragments_.memory_bytes() + surface_.memory_bytes();
 }
 
 }  // namespace cracksim::surface

@@ -17,6 +17,7 @@
 #include "partition/halo.hpp"
 #include "physics/events.hpp"
 #include "physics/evolution.hpp"
+#include "physics/problem/network.hpp"
 #include "physics/state/unions.hpp"
 #include "surface/global_components.hpp"
 #include "surface/local_surface.hpp"
@@ -30,10 +31,11 @@ namespace cracksim::surface {
 /// entities, components and fragments. After the start, its cost grows with the number of splits, not with the block.
 class Coat {
 public:
-    /// Of the unions as they are: a face is open from the start where a corner pair shares none. Collective. comm and
-    /// decomposition must outlive this.
-    Coat(const partition::Communicator& comm, const Block& block, const partition::Decomposition& decomposition,
-         const physics::Unions& unions);
+    /// The map of a body with these unions: a face is open from the start if a pair of its corners shares no union. A notched
+    /// face counts as opened at 0 s and not as crack area, also if it is sewn until a union at its rim splits. Collective.
+    /// comm and decomposition must outlive this.
+    Coat(const partition::Communicator& comm, const physics::Network& network,
+         const partition::Decomposition& decomposition, const physics::Unions& unions);
     Coat(const Coat&) = delete;
     Coat& operator=(const Coat&) = delete;
 
@@ -69,6 +71,9 @@ private:
     [[nodiscard]] std::optional<std::string> find_open_boundary(std::span<const geometry::FreeFace> faces,
                                                                 const IdArray<LocalEntity, EntityId>& component,
                                                                 const physics::Evolution& evolution) const;
+    [[nodiscard]] bool is_notched(LocalEntity e, int face) const {
+        return !notched_.empty() && (notched_[e] >> face & 1) != 0;
+    }
     void count_opened(const topology::Changes& changes);
     /// Exchanges the sewn masks of changed entities. Returns the corners of the halo entities' faces that became free.
     [[nodiscard]] std::vector<LocalMass> share_masks(const topology::Changes& changes);
@@ -86,6 +91,7 @@ private:
     GlobalComponents components_;
     GlobalComponents fragments_;
     LocalSurface surface_;
+    IdArray<LocalEntity, std::uint8_t> notched_;  ///< bit f: face f is notched; empty without notches
     std::int64_t fragments_version_{0};
     std::array<std::int64_t, 3> opened_{};  ///< interior faces normal to each axis, over all ranks
 };

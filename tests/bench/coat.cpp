@@ -43,11 +43,10 @@ std::vector<std::vector<LocalMass>> starting_unions(const Block& block) {
     return unions;
 }
 
-physics::Unions whole_unions(const Block& block) {
+physics::Network network_of(const Block& block) {
     test::SerialBlock serial;
     serial.cells = block.cells();
-    const physics::Network network = serial.network();
-    return {network, network.duplets()};
+    return serial.network();
 }
 
 physics::SplitStream splits_of_coat(const physics::SplitStream& all, std::size_t coat) {
@@ -67,11 +66,12 @@ Block cube(std::int64_t side) { return Block{{side, side, side}, {1, 1, 1}, {}};
 void modify(benchmark::State& state, const partition::Communicator& comm, std::int64_t side, test::Place place) {
     const Block block = cube(side);
     const partition::Decomposition decomposition = on_one_rank(comm, block);
-    const physics::Unions unions = whole_unions(block);
+    const physics::Network network = network_of(block);
+    const physics::Unions unions{network, network.duplets()};
     const auto splits = test::sample_splits(block, place, coats * splits_a_coat, 0, 1);
     for ([[maybe_unused]] auto _ : state) {
         state.PauseTiming();
-        surface::Coat coat{comm, block, decomposition, unions};
+        surface::Coat coat{comm, network, decomposition, unions};
         state.ResumeTiming();
         for (std::size_t i = 0; i < coats; ++i) {
             coat.modify(splits_of_coat(splits, i));
@@ -86,7 +86,8 @@ void look_at_all(benchmark::State& state, const partition::Communicator& comm, s
     const Block block = cube(side);
     const partition::Decomposition decomposition = on_one_rank(comm, block);
     const auto unions = starting_unions(block);
-    const surface::Coat coat{comm, block, decomposition, whole_unions(block)};
+    const physics::Network network = network_of(block);
+    const surface::Coat coat{comm, network, decomposition, {network, network.duplets()}};
     for ([[maybe_unused]] auto _ : state) {
         for (std::size_t i = 0; i < coats; ++i) {
             auto labels = decomposition.entities;
