@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <span>
 
-#include "io/worker.hpp"
 #include "io/split_parts.hpp"
+#include "io/worker.hpp"
 #include "partition/communicator.hpp"
 #include "physics/events.hpp"
 

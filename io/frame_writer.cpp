@@ -1,8 +1,8 @@
 #include "io/frame_writer.hpp"
 
 #include "io/collective_errors.hpp"
-#include "io/file_error.hpp"
 #include "io/distributed_mesh.hpp"
+#include "io/file_error.hpp"
 #include "io/text_file.hpp"
 #include "io/vtkhdf.hpp"
 

@@ -7,7 +7,7 @@
 namespace cracksim::io::hdf5 {
 
 /// Owns an HDF5 identifier and closes it on destruction.
-template <herr_t (*close_id)(hid_t)>
+template <herr_t (*CloseId)(hid_t)>
 class Handle {
 public:
     Handle() = default;
@@ -21,7 +21,7 @@ public:
     Handle& operator=(const Handle&) = delete;
     ~Handle() {
         if (id_ >= 0) {
-            close_id(id_);
+            CloseId(id_);
         }
     }
 

@@ -2,11 +2,11 @@
 
 #include "core/contracts.hpp"
 #include "core/errors.hpp"
-#include "io/yaml_events.hpp"
 #include "io/input_text.hpp"
 #include "io/input_tree.hpp"
-#include "io/spelling.hpp"
 #include "io/number_text.hpp"
+#include "io/spelling.hpp"
+#include "io/yaml_events.hpp"
 
 namespace cracksim::io {
 

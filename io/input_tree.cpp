@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "core/errors.hpp"
-#include "io/yaml_events.hpp"
 #include "io/input_text.hpp"
 #include "io/number_text.hpp"
+#include "io/yaml_events.hpp"
 
 namespace cracksim::io {
 

@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "physics/problem/stability.hpp"
 #include "forecast/output_forecast.hpp"
 #include "forecast/rank_counts.hpp"
+#include "physics/problem/stability.hpp"
 #include "scene/scene.hpp"
 
 namespace cracksim::forecast {

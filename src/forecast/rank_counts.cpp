@@ -71,12 +71,12 @@ RankCounts counts_of_box(const Box& box, double roughness) {
     counts.sites = whole(local / box_local * padded(along) * width * height);
     counts.vertex_sites = whole(local / box_local * padded(along) * (width + 1) * (height + 1));
     counts.interior_faces = whole(local / box_local *
-                            by_axis(
-                                box, [](double n, double h) { return n + h - 1; }, with_halo));
+                                  by_axis(
+                                      box, [](double n, double h) { return n + h - 1; }, with_halo));
     counts.received = whole(roughness * box_received);
     counts.sent = counts.received;
     counts.sent_unions = whole(roughness * (over_axes(box, [](double n, double h) { return n + h + 1; }) -
-                                          over_axes(box, [](double n, double) { return n + 1; })));
+                                            over_axes(box, [](double n, double) { return n + 1; })));
     counts.messages = whole(over_axes(box, [](double, double h) { return 1 + h; })) - 1;
     counts.boundary_faces = whole(by_axis(
         box, [](double, double h) { return 2 - h; }, owned_cells));

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/block.hpp"
-#include "surface/coat.hpp"
 #include "dynamics/dynamics.hpp"
 #include "scene/scene.hpp"
+#include "surface/coat.hpp"
 
 namespace cracksim::forecast {
 

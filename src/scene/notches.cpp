@@ -163,6 +163,7 @@ std::vector<NotchSettings> read_notches(const InputNode& root, const Block& bloc
 
 std::vector<physics::Notch> notches(const std::vector<NotchSettings>& settings, const Block& block) {
     std::vector<physics::Notch> all;
+    all.reserve(settings.size());
     for (const NotchSettings& notch : settings) {
         all.push_back({notch.name, surface_of(notch, shortest_edge(block))});
     }

@@ -105,12 +105,12 @@ inline constexpr std::string_view this_version = "cracksim 0.1";
 }
 
 /// Reads the name of an enumerator.
-template <class Enum, std::size_t size>
+template <class Enum, std::size_t Size>
 [[nodiscard]] Enum enumerator(const io::InputNode& node,
-                              const std::array<std::pair<std::string_view, Enum>, size>& names,
+                              const std::array<std::pair<std::string_view, Enum>, Size>& names,
                               std::span<const std::string_view> later = {}) {
-    std::array<std::string_view, size> words;
-    for (std::size_t i = 0; i < size; ++i) {
+    std::array<std::string_view, Size> words;
+    for (std::size_t i = 0; i < Size; ++i) {
         words[i] = names[i].first;
     }
     const std::string word = available_word(node, words, later);

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "core/errors.hpp"
-#include "io/spelling.hpp"
 #include "io/provenance.hpp"
+#include "io/spelling.hpp"
 #include "physics/simd_target.hpp"
 
 namespace cracksim::simulation {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "io/summary.hpp"
 #include "forecast/forecast.hpp"
+#include "io/summary.hpp"
 #include "simulation/simulation.hpp"
 
 namespace cracksim::simulation {

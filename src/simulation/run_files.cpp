@@ -94,7 +94,8 @@ void RunFiles::write_together(const Simulation& simulation, const Series& series
         switch (series.picture) {
             case Picture::masses: return surface::mass_mesh(*comm_, dynamics, coat, evolution);
             case Picture::topology: return surface::topology_mesh(*comm_, dynamics, coat, evolution);
-            case Picture::crack: return surface::surface_mesh(*comm_, dynamics, coat, evolution, surface::Faces::crack_only);
+            case Picture::crack:
+                return surface::surface_mesh(*comm_, dynamics, coat, evolution, surface::Faces::crack_only);
             case Picture::surface: break;
         }
         return surface::surface_mesh(*comm_, dynamics, coat, evolution, surface::Faces::all_free);

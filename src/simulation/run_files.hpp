@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "io/worker.hpp"
 #include "io/event_writer.hpp"
 #include "io/frame_record.hpp"
 #include "io/frame_writer.hpp"
 #include "io/history_writer.hpp"
 #include "io/run_directory.hpp"
+#include "io/worker.hpp"
 #include "partition/stop_request.hpp"
 #include "simulation/progress.hpp"
 #include "simulation/simulation.hpp"

@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "io/summary.hpp"
 #include "forecast/forecast.hpp"
+#include "io/summary.hpp"
 
 namespace cracksim::simulation {
 
 /// The lines that the terminal shows before the first step: counts, step, exchange, memory, output.
-[[nodiscard]] std::vector<std::string> overview(const scene::Scene& scene, const scene::CertifiedStep& certified, int ranks,
-                                                const forecast::Forecast& forecast);
+[[nodiscard]] std::vector<std::string> overview(const scene::Scene& scene, const scene::CertifiedStep& certified,
+                                                int ranks, const forecast::Forecast& forecast);
 
 /// The lines that --dry-run adds. built: the problem was built for the forecast.
 [[nodiscard]] std::vector<std::string> dry_run_lines(const forecast::Forecast& forecast, bool built);

@@ -12,7 +12,9 @@ namespace {
 
 constexpr double shrinking = 0.8;
 
-std::int64_t global_entity(const dynamics::Dynamics& dynamics, LocalEntity e) { return dynamics.network().entity(e).value(); }
+std::int64_t global_entity(const dynamics::Dynamics& dynamics, LocalEntity e) {
+    return dynamics.network().entity(e).value();
+}
 
 CellRecord record_of(const dynamics::Dynamics& dynamics, const Coat& coat, const physics::Evolution& evolution,
                      const geometry::FreeFace& face) {

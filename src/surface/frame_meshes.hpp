@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/block.hpp"
+#include "dynamics/dynamics.hpp"
 #include "geometry/mesh.hpp"
 #include "partition/communicator.hpp"
 #include "physics/evolution.hpp"
 #include "surface/coat.hpp"
-#include "dynamics/dynamics.hpp"
 #include "surface/mesh_assembly.hpp"
 
 namespace cracksim::surface {
@@ -23,8 +23,8 @@ enum class Faces { all_free, crack_only };
 [[nodiscard]] geometry::Mesh surface_mesh(const partition::Communicator& comm, const dynamics::Dynamics& dynamics,
                                           const Coat& coat, const physics::Evolution& evolution, Faces faces);
 /// One point for each mass.
-[[nodiscard]] geometry::Mesh mass_mesh(const partition::Communicator& comm, const dynamics::Dynamics& dynamics, const Coat& coat,
-                                       const physics::Evolution& evolution);
+[[nodiscard]] geometry::Mesh mass_mesh(const partition::Communicator& comm, const dynamics::Dynamics& dynamics,
+                                       const Coat& coat, const physics::Evolution& evolution);
 /// All faces of all entities, each shrunk towards its entity's centre, with the field `sewn`.
 [[nodiscard]] geometry::Mesh topology_mesh(const partition::Communicator& comm, const dynamics::Dynamics& dynamics,
                                            const Coat& coat, const physics::Evolution& evolution);

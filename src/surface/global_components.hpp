@@ -24,7 +24,7 @@ public:
     /// one of its ends must have it. Collective; all arguments but the last must outlive this.
     template <class Links>
     GlobalComponents(const partition::Communicator& comm, const partition::Decomposition& decomposition,
-           const partition::Halo& halo, const Links& links)
+                     const partition::Halo& halo, const Links& links)
         : comm_{&comm}, decomposition_{&decomposition}, halo_{&halo}, forest_{decomposition.owned.span(), links} {
         agree();
     }
@@ -32,7 +32,8 @@ public:
     /// Updates this rank's trees. at: the entities at both ends of all links that were cut. Returns true if a tree of
     /// this rank fell apart: then all ranks must call agree() before the next call of id().
     template <class Links>
-    [[nodiscard]] bool cut(std::span<const LocalEntity> at, topology::ReplacementEdgeSearch& search, const Links& links) {
+    [[nodiscard]] bool cut(std::span<const LocalEntity> at, topology::ReplacementEdgeSearch& search,
+                           const Links& links) {
         return forest_.part(at, search, links);
     }
     /// Joins the trees of all ranks to components. Collective.

@@ -10,8 +10,8 @@
 
 namespace cracksim::surface {
 
-SurfaceFrames::SurfaceFrames(const partition::Communicator& comm, const dynamics::Dynamics& dynamics, io::Worker& worker,
-                             io::FrameWriter* surface, io::FrameWriter* crack)
+SurfaceFrames::SurfaceFrames(const partition::Communicator& comm, const dynamics::Dynamics& dynamics,
+                             io::Worker& worker, io::FrameWriter* surface, io::FrameWriter* crack)
     : comm_{&comm},
       worker_{&worker},
       surface_writer_{surface},

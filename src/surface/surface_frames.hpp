@@ -2,13 +2,13 @@
 
 #include <cstdint>
 
-#include "io/worker.hpp"
+#include "dynamics/dynamics.hpp"
 #include "io/frame_index.hpp"
 #include "io/frame_writer.hpp"
+#include "io/worker.hpp"
 #include "surface/coat.hpp"
-#include "dynamics/dynamics.hpp"
-#include "surface/surface_reporter.hpp"
 #include "surface/gathered_surface.hpp"
+#include "surface/surface_reporter.hpp"
 
 namespace cracksim::surface {
 

@@ -18,7 +18,7 @@ SurfaceUpdate SurfaceReporter::report(const dynamics::Dynamics& dynamics, const 
 }
 
 SurfaceUpdate::Face SurfaceReporter::record(const physics::Network& network, const Coat& coat,
-                                          const LocalSurface::Face& face) {
+                                            const LocalSurface::Face& face) {
     SurfaceUpdate::Face sent{network.entity(face.entity).value() * Hexahedron::faces + face.face, face.opened_at, {}};
     std::size_t k = 0;
     for (const LocalMass corner : topology::corners_of(face.entity, face.face)) {

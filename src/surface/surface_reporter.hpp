@@ -6,8 +6,8 @@
 
 #include "core/ids.hpp"
 #include "core/vec3.hpp"
-#include "surface/coat.hpp"
 #include "dynamics/dynamics.hpp"
+#include "surface/coat.hpp"
 #include "surface/mass_marks.hpp"
 #include "surface/surface_update.hpp"
 
@@ -23,7 +23,7 @@ public:
 
 private:
     [[nodiscard]] SurfaceUpdate::Face record(const physics::Network& network, const Coat& coat,
-                                           const LocalSurface::Face& face);
+                                             const LocalSurface::Face& face);
     void add_changes(const physics::Network& network, const Coat& coat, SurfaceUpdate& update);
     void add_fragments(const Coat& coat, SurfaceUpdate& update);
     void add_positions(const physics::State& state, SurfaceUpdate& update) const;

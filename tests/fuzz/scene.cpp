@@ -6,8 +6,8 @@
 
 #include "core/errors.hpp"
 #include "fuzz/finding.hpp"
-#include "scene/scene_reader.hpp"
 #include "scene/resolved.hpp"
+#include "scene/scene_reader.hpp"
 
 namespace {
 

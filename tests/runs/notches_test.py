@@ -152,6 +152,26 @@ def any_ranks_and_partition(workplace, quick):
                 check(same, f"{duplets}, {partition}: another crack frame on {ranks} ranks")
 
 
+def a_notch_one_entity_wide_parts_no_union(workplace, quick):
+    """Its face stays sewn until a union at its rim splits, and is no crack area then either."""
+    del quick
+    narrow = rectangle([0.041, 0.05, 0.001], [0.008, 0, 0], [0, 0, 0.008])
+    scene = plate([10, 10, 3], notches=[narrow], time={"end": 0.001})
+    done = workplace.run(workplace.write(scene), "--out", workplace.path / "narrow")
+    check("notches: they part no Mass-union" in done.stdout + done.stderr, done.stdout + done.stderr)
+    found = summary(workplace.path / "narrow")
+    check(found["counts"]["notched_faces"] == 1 and found["counts"]["unions"] == 11 * 11 * 4, f"{found['counts']}")
+    broken = {**scene, "time": {"end": 0.2}, "sensors": {"threshold": "abs(y-0.05) < 1e-4 ? 0.01 : 1e9"}}
+    directory = workplace.finished(broken, "--audit", ranks=2)
+    found = summary(directory)
+    check(found["fragments"] == 2, "the plate does not break in two")
+    _, cells = frame_cells(last_frame(directory, "crack"))
+    notched = sum(1 for cell in cells if cell[2] == 0)
+    check(notched == 2, f"{notched} crack faces have opened_at 0, not the two sides of the notch")
+    faces_beside = len(cells) / 2 - 1
+    check(abs(found["crack_area"] - 1e-4 * faces_beside) < 1e-9, f"crack area {found['crack_area']} m2 of {faces_beside} faces")
+
+
 def a_run_says_what_notches_open(workplace, quick):
     del quick
     scene = plate([10, 10, 1], notches=[rectangle([-1, 0.05, -1], [2, 0, 0], [0, 0, 2])])
@@ -159,7 +179,7 @@ def a_run_says_what_notches_open(workplace, quick):
     check(done.returncode == 0 and "notches open 10 interior faces" in done.stdout, done.stdout + done.stderr)
 
 
-TESTS = [a_cut_leaves_two_fragments_and_no_crack_area, thresholds_open_faces_beside_the_cut,
+TESTS = [a_notch_one_entity_wide_parts_no_union, a_cut_leaves_two_fragments_and_no_crack_area, thresholds_open_faces_beside_the_cut,
          a_crack_starts_as_from_faces_opened_by_thresholds, fracture_energy_drives_a_crack_from_a_notch,
          any_ranks_and_partition, a_run_says_what_notches_open]
 if __name__ == "__main__":

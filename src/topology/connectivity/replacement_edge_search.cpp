@@ -18,7 +18,8 @@ void make_root(LocalEntity entity, Parents& parents) {
     }
 }
 
-ReplacementEdgeSearch::ReplacementEdgeSearch(std::size_t entities) : next_(entities, not_queued), front_of_(entities, no_front) {}
+ReplacementEdgeSearch::ReplacementEdgeSearch(std::size_t entities)
+    : next_(entities, not_queued), front_of_(entities, no_front) {}
 
 // The fronts above the cuts start at the parents of the orphans: most replacement edges are near the cut.
 void ReplacementEdgeSearch::start(std::span<const LocalEntity> orphans, Parents& parents) {

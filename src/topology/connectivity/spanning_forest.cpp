@@ -5,8 +5,8 @@
 namespace cracksim::topology {
 
 void SpanningForest::sort_by_tree(std::vector<LocalEntity>& entities) const {
-    std::ranges::sort(
-        entities, [&](LocalEntity a, LocalEntity b) { return tree_[a] != tree_[b] ? tree_[a] < tree_[b] : a < b; });
+    std::ranges::sort(entities,
+                      [&](LocalEntity a, LocalEntity b) { return tree_[a] != tree_[b] ? tree_[a] < tree_[b] : a < b; });
     entities.erase(std::unique(entities.begin(), entities.end()), entities.end());
 }
 
