@@ -61,8 +61,6 @@ std::int64_t Communicator::sum_below(std::int64_t value) const {
     return is_root() ? 0 : below;
 }
 
-void Communicator::barrier() const { MPI_Barrier(comm_); }
-
 int Communicator::ranks_on_this_machine() const {
     MPI_Comm here = MPI_COMM_NULL;
     MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);

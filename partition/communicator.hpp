@@ -37,7 +37,6 @@ public:
     [[nodiscard]] bool any(bool value) const { return max(std::int64_t{value}) != 0; }
     /// Sum of the values of all lower ranks.
     [[nodiscard]] std::int64_t sum_below(std::int64_t value) const;
-    void barrier() const;
     /// Number of ranks on the same machine as this rank, this rank included.
     [[nodiscard]] int ranks_on_this_machine() const;
 

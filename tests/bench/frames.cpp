@@ -49,7 +49,7 @@ private:
     /// Adds up the time of an action, which all ranks start together.
     template <class Action>
     auto timed(const std::string& part, const Action& action) {
-        comm_.barrier();
+        MPI_Barrier(comm_.handle());
         const auto start = std::chrono::steady_clock::now();
         auto result = action();
         seconds_[part] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -51,11 +51,6 @@ StepBound step_bound(const EntityModel& model, Scheme scheme) {
     return {safe, safe * safe * a >= safe * b ? "stiffness" : "viscosity"};
 }
 
-double hexahedron_step_bound(double corner_mass, KelvinVoigt edges, KelvinVoigt diagonals, Scheme scheme) {
-    return positive_root((6 * edges.stiffness + 2 * diagonals.stiffness) / corner_mass,
-                         damping_weight(scheme) * (6 * edges.viscosity + 2 * diagonals.viscosity) / corner_mass);
-}
-
 bool has_viscosity(const EntityModel& model) {
     return std::ranges::any_of(model.interaction, [](const KelvinVoigt& e) { return e.viscosity > 0; });
 }

@@ -21,10 +21,6 @@ struct StepBound {
 /// README.md of src/physics.
 [[nodiscard]] StepBound step_bound(const EntityModel& model, Scheme scheme);
 
-/// The same bound for a hexahedron in closed form: dt^2 (6 k1 + 2 k3) + c dt (6 z1 + 2 z3) < 4 m with edges k1, z1 and
-/// diagonals k3, z3. The tests compare step_bound with it.
-[[nodiscard]] double hexahedron_step_bound(double corner_mass, KelvinVoigt edges, KelvinVoigt diagonals, Scheme scheme);
-
 /// The step for `time.step: auto`: 0.9 of the bound, or 0.5 without viscosity (undamped scenes heat slowly below the
 /// bound).
 [[nodiscard]] double automatic_step(const EntityModel& model, const StepBound& bound);

@@ -23,7 +23,7 @@ protected:
         if (world().is_root()) {
             std::filesystem::create_directory(scratch_ / "frames");
         }
-        world().barrier();
+        MPI_Barrier(world().handle());
     }
     [[nodiscard]] hdf5::File frame(const std::string& file) const { return {scratch_ / file, hdf5::Access::read}; }
 
@@ -159,7 +159,7 @@ TEST_P(FrameWriting, FailedWriteThrowsOnAllRanksAndLeavesTheSeriesAsItWas) {
         const FileSizeLimit limit{200000};
         EXPECT_THROW(surface_.write(mesh, 1, 1), FileError);
     }
-    world().barrier();
+    MPI_Barrier(world().handle());
     EXPECT_FALSE(has_unfinished(scratch_.path()));
     EXPECT_EQ(surface_.series().frames.size(), 1U);
     EXPECT_EQ(surface_.write(mesh, 2, 2).file, "frames/surface-000001.hdf");
@@ -169,7 +169,7 @@ TEST_P(FrameWriting, FrameOfTheRootAloneIsTheOneThatAllWrite) {
     const geometry::Mesh whole = strip_mesh(partition::Communicator{MPI_COMM_SELF}, 11, 0.5);
     const FrameRecord together = surface_.write(strip_mesh(world(), 11, 0.5), 7, 0.125);
     const FrameRecord alone = world().is_root() ? surface_.write_alone(whole, 7, 0.125) : FrameRecord{};
-    world().barrier();
+    MPI_Barrier(world().handle());
     if (world().is_root()) {
         EXPECT_EQ(alone.file, "frames/surface-000001.hdf");
         EXPECT_EQ(alone.faces, together.faces);

@@ -55,7 +55,7 @@ TEST(Log, FileHoldsAllLinesSinceItWasOpenedAlsoWhenQuiet) {
         log.warn("thin plate");
         log.live("50 %");
     });
-    world().barrier();
+    MPI_Barrier(world().handle());
     const std::string text = text_of(scratch / "cracksim.log");
     EXPECT_EQ(text.find("before"), std::string::npos);
     EXPECT_NE(text.find(" info: step 1\n"), std::string::npos);

@@ -27,7 +27,7 @@ void on_root_then_all(const std::function<void()>& action) {
     if (world().is_root()) {
         action();
     }
-    world().barrier();
+    MPI_Barrier(world().handle());
 }
 
 TEST(RunDirectory, CheckTouchesNothing) {
@@ -88,7 +88,7 @@ TEST(RunDirectory, ALockedDirectoryIsRefusedAndKeepsItsFiles) {
         EXPECT_NE(refusal(run.path()).find("another run is writing"), std::string::npos);
         EXPECT_THROW(run.prepare(world()), InputError);
         EXPECT_TRUE(fs::exists(run.file("summary.json")));
-        world().barrier();
+        MPI_Barrier(world().handle());
     }
     EXPECT_NO_THROW(run.prepare(world()));
 }

@@ -26,7 +26,7 @@ public:
         path_ = world().broadcast(name);
     }
     ~Scratch() {
-        world().barrier();
+        MPI_Barrier(world().handle());
         if (world().is_root()) {
             std::filesystem::remove_all(path_);
         }
