@@ -14,7 +14,8 @@ if(CRACKSIM_WERROR AND CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER
   target_compile_options(cracksim_flags INTERFACE -Werror)
 endif()
 if(CRACKSIM_SANITIZE)
-  target_compile_options(cracksim_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_compile_options(cracksim_flags INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(cracksim_flags INTERFACE -fsanitize=address,undefined)
 endif()
 

@@ -12,7 +12,8 @@ trap 'rm -f "$log"' EXIT
 if [[ ! -f build/$preset/build.ninja ]]; then
     echo "building cracksim, preset $preset (first time: about 3 minutes on 2 cores)"
 fi
-if ! { cmake --preset "$preset" && cmake --build --preset "$preset" --parallel "${JOBS:-$(nproc)}" "${targets[@]}"; } >"$log" 2>&1; then
+if ! { cmake --preset "$preset" &&
+    cmake --build --preset "$preset" --parallel "${JOBS:-$(nproc)}" "${targets[@]}"; } >"$log" 2>&1; then
     cat "$log" >&2
     echo "building preset $preset failed" >&2
     exit 1

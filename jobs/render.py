@@ -20,8 +20,9 @@ import tempfile
 
 import numpy
 from paraview.servermanager import Fetch
-from paraview.simple import (Calculator, CellDatatoPointData, CreateRenderView, Delete, GetColorTransferFunction, Render,
-                             SaveScreenshot, Show, Text, Threshold, VTKHDFReader, _DisableFirstRenderCameraReset)
+from paraview.simple import (Calculator, CellDatatoPointData, CreateRenderView, Delete, GetColorTransferFunction,
+                             Render, SaveScreenshot, Show, Text, Threshold, VTKHDFReader,
+                             _DisableFirstRenderCameraReset)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SERIES = {"geometry": "surface", "crack": "crack", "masses": "masses", "topology": "topology"}

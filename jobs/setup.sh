@@ -12,7 +12,8 @@ if ! command -v apt-get >/dev/null; then
 fi
 
 # shellcheck disable=SC2086
-present=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' $packages 2>/dev/null | awk '$1 == "installed" { print $2 }' | sort -u || true)
+present=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' $packages 2>/dev/null |
+    awk '$1 == "installed" { print $2 }' | sort -u || true)
 mapfile -t missing < <(comm -23 <(echo "$packages") <(echo "$present") | sed '/^$/d')
 [[ ${#missing[@]} -gt 0 ]] || exit 0
 
@@ -21,7 +22,8 @@ if [[ $(id -u) -ne 0 ]]; then
     if command -v sudo >/dev/null && { sudo -n true 2>/dev/null || [[ -t 0 ]]; }; then
         as_root=(sudo)
     else
-        echo "setup: ${#missing[@]} packages are missing, and neither root nor sudo is at hand. Have this run as root, then repeat:" >&2
+        echo "setup: ${#missing[@]} packages are missing, and neither root nor sudo is at hand." \
+            "Have this run as root, then repeat:" >&2
         echo "  apt-get update && apt-get install -y --no-install-recommends ${missing[*]}" >&2
         exit 2
     fi
@@ -29,7 +31,10 @@ fi
 
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=300 "$@" </dev/null >>"$log" 2>&1; }
+apt() {
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=300 "$@" \
+        </dev/null >>"$log" 2>&1
+}
 install() { apt install --no-install-recommends "${missing[@]}"; }
 
 echo "setup: installing ${#missing[@]} packages (first time: some minutes)"

@@ -27,7 +27,8 @@ SEES = {
               "simulation"],
 }
 
-# Inside a room that has folders: the folders and headers of the room that each folder, and each file beside them, may include.
+# Inside a room that has folders: the folders and headers of the room that each folder, and each file beside them, may
+# include.
 INSIDE = {
     "physics/interaction": [],
     "physics/problem": ["physics/interaction"],
@@ -211,7 +212,8 @@ PLANTED = [
     ("src/physics/state/up.cpp", '#include "physics/lattice/sweep.hpp"\n', "physics/state sees inside its room only"),
     ("src/physics/problem/up.hpp", '#include "physics/engine.hpp"\n', "physics/problem sees inside its room only"),
     ("src/physics/state/a.cpp", '#include "physics/engine.hpp"\n', "physics/state sees inside its room only"),
-    ("src/topology/state.cpp", '#include "physics/state/state.hpp"\n', "topology sees of physics only physics/events.hpp"),
+    ("src/topology/state.cpp", '#include "physics/state/state.hpp"\n',
+     "topology sees of physics only physics/events.hpp"),
     ("src/geometry/events.cpp", '  #  include "physics/events.hpp"\n', "only physics/evolution.hpp"),
     ("src/scene/map.cpp", '#include "topology/gmap.hpp"\n', "scene sees of topology only topology/face_link.hpp"),
     ("src/dynamics/frame.cpp", '#include "io/writer.hpp"\n', "dynamics sees of io nothing"),
@@ -229,8 +231,8 @@ PLANTED = [
     ("io/boost.cpp", "#include <boost/graph.hpp>\n", "unknown library"),
     ("src/gpu/kernel.cpp", "#include <vector>\n", "'gpu' is not a room"),
     ("src/core/ids.hpp", '#include "core/ids.hpp"\n', "cycle of includes: core/ids -> core/ids"),
-    ("src/topology/gmap.hpp", '#include "topology/a.hpp"\n#include "physics/events.hpp"\n#include "topology/gmap.hpp"\n',
-     "cycle of includes: topology/gmap -> topology/gmap"),
+    ("src/topology/gmap.hpp", '#include "topology/a.hpp"\n#include "physics/events.hpp"\n'
+     '#include "topology/gmap.hpp"\n', "cycle of includes: topology/gmap -> topology/gmap"),
     ("src/core/ids.cpp", '#include "core/a.hpp"\n#include "core/ids.hpp"\n', None),
     ("io/writer.cpp", '#include "io/reader.hpp"\n', None),
 ]

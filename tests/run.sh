@@ -32,7 +32,8 @@ stage() {
 source_files() { git ls-files -co --exclude-standard -- {src,partition,io,tests}'/*.[ch]pp'; }
 
 check_format() {
-    [[ $(clang-format --version) == *" version 14."* ]] || { echo "skipped: the format is that of clang-format 14"; return; }
+    [[ $(clang-format --version) == *" version 14."* ]] ||
+        { echo "skipped: the format is that of clang-format 14"; return; }
     source_files | xargs clang-format --dry-run --Werror
 }
 
@@ -44,7 +45,8 @@ changed_sources() {
         base=$(git rev-parse -q --verify HEAD~1 || git hash-object -t tree /dev/null)
     fi
     { git ls-files -mo --exclude-standard; git diff --name-only --diff-filter=d "$base" HEAD; } |
-        sed -E 's#^src/physics/lattice/sweep/.*-inl\.hpp$#src/physics/lattice/sweep/row_sweep_double.cpp#; s#\.hpp$#.cpp#' |
+        sed -E -e 's#^src/physics/lattice/sweep/.*-inl\.hpp$#src/physics/lattice/sweep/row_sweep_double.cpp#' \
+            -e 's#\.hpp$#.cpp#' |
         grep -E '^(src|partition|io)/.*\.cpp$' | awk '!seen[$0]++' | while read -r file; do
             [[ ! -f $file ]] || echo "$file"
         done

@@ -43,7 +43,8 @@ private:
     }();
 };
 
-/// Two faces meet corner by corner: the place in the other face's cycle that place k meets, by the rotation between them.
+/// Two faces meet corner by corner: the place in the other face's cycle that place k meets, by the rotation between
+/// them.
 [[nodiscard]] constexpr int place_met(int rotation, int k) {
     return (rotation - k + 2 * Hexahedron::face_corners) % Hexahedron::face_corners;
 }

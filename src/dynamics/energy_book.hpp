@@ -4,8 +4,8 @@
 
 namespace cracksim::dynamics {
 
-/// The energies of this rank's entities over time, from what the sweeps find. The dissipated energy is the trapezoidal sum of
-/// z (v.n)^2 dt, never a difference of other energies.
+/// The energies of this rank's entities over time, from what the sweeps find. The dissipated energy is the trapezoidal
+/// sum of z (v.n)^2 dt, never a difference of other energies.
 class EnergyBook {
 public:
     /// The forces at the first step, or at a restart.

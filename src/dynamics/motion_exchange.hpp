@@ -49,16 +49,16 @@ public:
     /// Bytes that all calls of next_increments have sent so far.
     [[nodiscard]] std::int64_t bytes_sent() const { return bytes_sent_; }
 
-    /// Sets the parts of the received masses to those of their owners, before the first forces of a body that may have broken.
-    /// Collective.
+    /// Sets the parts of the received masses to those of their owners, before the first forces of a body that may have
+    /// broken. Collective.
     void share_parts(const physics::Network& network, const partition::Decomposition& decomposition,
                      physics::State& state, physics::Engine& engine);
     /// Sets the increments of the received masses to those of their owners, at a start or a restart. Collective.
     void share_increments(const physics::Network& network, const partition::Decomposition& decomposition,
                           physics::State& state) const;
-    /// Sets the changed parts of the received masses. Returns their next increments for Engine::advance, valid until the next
-    /// call. Adds the time spent waiting for other ranks to Phase::waiting. Throws std::logic_error if an owner has other
-    /// parts of these masses than this rank. Collective.
+    /// Sets the changed parts of the received masses. Returns their next increments for Engine::advance, valid until
+    /// the next call. Adds the time spent waiting for other ranks to Phase::waiting. Throws std::logic_error if an
+    /// owner has other parts of these masses than this rank. Collective.
     [[nodiscard]] std::span<const Vec3> next_increments(const physics::Network& network, physics::State& state,
                                                         physics::Engine& engine, Stopwatch& stopwatch);
 

@@ -115,7 +115,8 @@ std::vector<SeriesForecast> forecast_series(const scene::Scene& scene, const Pro
     const std::int64_t all_faces = block.entity_count() * Hexahedron::faces;
     const std::int64_t boundary = all_faces - 2 * block.interior_face_count();
     const std::int64_t masses = block.mass_count();
-    // Both sides of a notch are free faces. Most of their vertices lie inside the notch: about one a face on either side.
+    // Both sides of a notch are free faces. Most of their vertices lie inside the notch: about one a face on either
+    // side.
     const std::int64_t notched = 2 * counts.notched_faces;
     std::vector<SeriesForecast> all;
     if (scene.output.surface) {

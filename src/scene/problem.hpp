@@ -13,7 +13,8 @@ namespace cracksim::scene {
 [[nodiscard]] physics::Initial initial_fields(const Scene& scene);
 
 /// Builds the network of this rank's entities. Throws InputError on all ranks if on any rank a threshold is not above
-/// zero, supports contradict each other, or initial fields are not finite, and if a notch opens no interior face. Collective.
+/// zero, supports contradict each other, or initial fields are not finite, and if a notch opens no interior face.
+/// Collective.
 [[nodiscard]] physics::Network build_network(const partition::Communicator& comm, const Scene& scene,
                                              const partition::Decomposition& decomposition);
 

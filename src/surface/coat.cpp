@@ -57,8 +57,8 @@ void append_corners(LocalEntity e, unsigned faces, std::vector<LocalMass>& corne
     }
 }
 
-/// The map of this rank's entities as far as their unions hold them together. Of faces between halo entities their owners know.
-/// Collective.
+/// The map of this rank's entities as far as their unions hold them together. Of faces between halo entities their
+/// owners know. Collective.
 topology::GMap map_of(const Block& block, const partition::Decomposition& decomposition, const partition::Halo& halo,
                       const physics::Unions& unions) {
     topology::GMap map = topology::construct(block, decomposition.entities.span());

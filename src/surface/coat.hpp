@@ -31,9 +31,9 @@ namespace cracksim::surface {
 /// entities, components and fragments. After the start, its cost grows with the number of splits, not with the block.
 class Coat {
 public:
-    /// The map of a body with these unions: a face is open from the start if a pair of its corners shares no union. A notched
-    /// face counts as opened at 0 s and not as crack area, also if it is sewn until a union at its rim splits. Collective.
-    /// comm and decomposition must outlive this.
+    /// The map of a body with these unions: a face is open from the start if a pair of its corners shares no union. A
+    /// notched face counts as opened at 0 s and not as crack area, also if it is sewn until a union at its rim splits.
+    /// Collective. comm and decomposition must outlive this.
     Coat(const partition::Communicator& comm, const physics::Network& network,
          const partition::Decomposition& decomposition, const physics::Unions& unions);
     Coat(const Coat&) = delete;
@@ -61,8 +61,8 @@ public:
     /// only. Collective.
     [[nodiscard]] std::vector<geometry::LabelSize> largest_fragments(std::size_t count) const;
 
-    /// Checks the axioms of the map, its faces against the unions, and that the boundaries of components are closed. Returns the first
-    /// fault, the same on all ranks; none: all is well. Collective.
+    /// Checks the axioms of the map, its faces against the unions, and that the boundaries of components are closed.
+    /// Returns the first fault, the same on all ranks; none: all is well. Collective.
     [[nodiscard]] std::optional<std::string> find_fault(const physics::Unions& unions,
                                                         const physics::Evolution& evolution) const;
     [[nodiscard]] std::size_t memory_bytes() const;

@@ -25,7 +25,8 @@ public:
         double opened_at;        ///< s; -1 on the original boundary
     };
 
-    /// opened_at(entity, face): when a free face that is not on the original boundary opened, s. owned must outlive this.
+    /// opened_at(entity, face): when a free face that is not on the original boundary opened, s. owned must outlive
+    /// this.
     LocalSurface(const topology::GMap& map, std::span<const std::uint8_t> owned,
                  const std::function<double(LocalEntity, int)>& opened_at);
 

@@ -13,8 +13,8 @@ namespace cracksim::topology {
 /// entity that is not among them (remote) is sewn until set_sewn_mask() frees it. local_entities must ascend.
 [[nodiscard]] GMap construct(const Block& block, std::span<const EntityId> local_entities);
 
-/// Unsews the faces of a whole map that have a corner pair whose masses share no union: shares_union(mass, mass). So a body that has
-/// broken gets its map. Only links to local entities are looked at.
+/// Unsews the faces of a whole map that have a corner pair whose masses share no union: shares_union(mass, mass). So a
+/// body that has broken gets its map. Only links to local entities are looked at.
 template <class SharesUnion>
 void unsew_parted(GMap& map, const SharesUnion& shares_union) {
     for (LocalEntity e{0}; e.value() < map.entity_count(); ++e) {

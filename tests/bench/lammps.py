@@ -46,7 +46,8 @@ class Lammps:
     def harmonic(self, steps, newton="on", positions=None):
         """LAMMPS defines the energy as E = K (r - r0)^2, so K = k/2."""
         lines = ["bond_style harmonic"]
-        lines += [f"bond_coeff {i + 1} {0.5 * k!r} {length!r}" for i, (k, _, length) in enumerate(self.lattice.springs())]
+        lines += [f"bond_coeff {i + 1} {0.5 * k!r} {length!r}"
+                  for i, (k, _, length) in enumerate(self.lattice.springs())]
         return self._script("harmonic", lines, [], steps, newton, "no", positions)
 
     def breakable(self, steps):

@@ -7,7 +7,8 @@ import sys
 
 from lammps import Lammps, read_positions
 from lattice import Lattice
-from measure import ROOT, STEP, Spread, Workplace, alternate, intact_scene, on_ranks, print_row, ratio, step_milliseconds
+from measure import (ROOT, STEP, Spread, Workplace, alternate, intact_scene, on_ranks, print_row, ratio,
+                     step_milliseconds)
 
 sys.path.insert(0, str(ROOT / "tests"))
 from runs.runner import dataset, last_frame  # noqa: E402
@@ -44,8 +45,8 @@ def check_motion(workplace, cracksim, peer, steps):
         difference = largest_difference(peer.lattice, atoms, dataset(last_frame(directory, "masses"), "/VTKHDF/Points"))
         moved = max(abs(a - b) for atom, place in zip(atoms[1:], peer.lattice.atoms())
                     for a, b in zip(atom, peer.lattice.position(place)))
-        print_row("LAMMPS", f"difference of positions after {steps} steps, {on_ranks(ranks)}", [difference] * 3, "edges",
-                  f"must be below {FARTHEST:g}; the farthest moved {moved / peer.lattice.edge:.2g}")
+        print_row("LAMMPS", f"difference of positions after {steps} steps, {on_ranks(ranks)}", [difference] * 3,
+                  "edges", f"must be below {FARTHEST:g}; the farthest moved {moved / peer.lattice.edge:.2g}")
         if not difference < FARTHEST or not moved > 1e3 * FARTHEST * peer.lattice.edge:
             raise SystemExit("LAMMPS and cracksim do not compute the same motion")
 
@@ -90,8 +91,8 @@ def main():
         CELLS, options.steps, time={"end": STEP * options.steps, "step": STEP, "precision": "single"})}
     undamped = {"cracksim, undamped, unbreakable": plain_scene(options.steps)}
     for ranks in (1, 2):
-        compare(workplace, options, peer, ranks, f"harmonic + nve, newton {newton}", peer.harmonic(options.steps, newton),
-                undamped | damped | single)
+        compare(workplace, options, peer, ranks, f"harmonic + nve, newton {newton}",
+                peer.harmonic(options.steps, newton), undamped | damped | single)
     if not peer.has("bpm/spring"):
         print(f"{options.lammps} has no bpm/spring (the package BPM, since May 2022): no row of it", file=sys.stderr)
         return

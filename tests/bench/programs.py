@@ -48,13 +48,15 @@ def cases(quick):
             yield Case("intact", intact_scene(cells, count), **few)
             yield Case("intact, single", in_single(intact_scene(cells, count)), **few)
             yield Case("fully split", split_scene(cells, max(2, count // 4)), steady_milliseconds, **few)
-            yield Case("fully split, single", in_single(split_scene(cells, max(2, count // 4))), steady_milliseconds, **few)
+            yield Case("fully split, single", in_single(split_scene(cells, max(2, count // 4))),
+                       steady_milliseconds, **few)
 
 
 def phases(seconds):
     """The phases that took a hundredth of a run's time or more, as text."""
     rest = {name: spent for name, spent in seconds.items() if name != "total"}
-    return "in s: " + ", ".join(f"{name} {spent:.2f}" for name, spent in rest.items() if spent >= 0.01 * seconds["total"])
+    return "in s: " + ", ".join(f"{name} {spent:.2f}" for name, spent in rest.items()
+                                if spent >= 0.01 * seconds["total"])
 
 
 def entities_of(scene):
@@ -92,7 +94,8 @@ class Measurements:
         for ranks in case.ranks:
             entities = summaries[ranks]["counts"]["entities"]
             each = 1e6 * Spread.of(times[ranks]).median / entities
-            print_row(group, f"{case.name}, {on_ranks(ranks)}", Spread.of(times[ranks]), "ms/step", f"{each:.3g} ns/entity")
+            print_row(group, f"{case.name}, {on_ranks(ranks)}", Spread.of(times[ranks]), "ms/step",
+                      f"{each:.3g} ns/entity")
         if len(case.ranks) == 2:
             print_row(group, f"{case.name}, gain of 2 ranks", ratio(times[1], times[2]), "times")
         if self.options.against:
@@ -103,7 +106,8 @@ class Measurements:
         """True if memory suffices, by the forecast of --dry-run for an intact and for a fully split block."""
         ranks = case.ranks[-1]
         forecast = self.workplace.cracksim_says(self.options.cracksim, case.scene, ranks, "--dry-run")
-        ends = re.search(r"memory of a rank.*?([\d.]+) (kB|MB|GB) if nothing breaks, ([\d.]+) (kB|MB|GB) if all", forecast).groups()
+        ends = re.search(r"memory of a rank.*?([\d.]+) (kB|MB|GB) if nothing breaks, ([\d.]+) (kB|MB|GB) if all",
+                         forecast).groups()
         number, unit = ends[2:] if case.milliseconds is steady_milliseconds else ends[:2]
         needed = 1.1 * ranks * float(number) * {"kB": 1e-6, "MB": 1e-3, "GB": 1.0}[unit]
         if needed > available_gigabytes():
@@ -123,14 +127,18 @@ class Measurements:
         memory = summaries[ranks]["memory"]
         whole = memory["per_rank_max"] * ranks / entities
         print_row(group, f"{case.name}, memory on {on_ranks(ranks)}", [whole] * 3, "bytes/entity",
-                  f"with the program; the model takes {memory['per_entity']:.0f}, the map {memory['map_per_entity']:.0f}")
+                  f"with the program; the model takes {memory['per_entity']:.0f}, "
+                  f"the map {memory['map_per_entity']:.0f}")
         seconds = summaries[ranks]["seconds"]
         print_row(group, f"{case.name}, set-up on {on_ranks(ranks)}", [seconds["setup"]] * 3, "s")
         if case.milliseconds is steady_milliseconds:
             print_row(group, f"{case.name}, the split itself on {on_ranks(ranks)}", [seconds["update"]] * 3, "s")
 
     def measure_block(self, name, *settings):
-        """Measures inputs/block.yaml, which cracks, with coat and files at 50 Hz: physics and the whole, from the same runs."""
+        """Measures inputs/block.yaml, which cracks, with coat and files at 50 Hz.
+
+        The same runs give the times of the physics and of the whole.
+        """
         factors = {1: [], 2: []}
 
         def milliseconds(summary):
@@ -142,10 +150,11 @@ class Measurements:
         times = self.times(case, summaries)
         group = "program, inputs/block.yaml"
         self.print_times(group, case, times, summaries)
-        own = {ranks: values[::2] if self.options.against and ranks == 1 else values for ranks, values in factors.items()}
+        own = {ranks: values[::2] if self.options.against and ranks == 1 else values
+               for ranks, values in factors.items()}
         for ranks, values in own.items():
-            print_row(group, f"all{name}, coat and files at 50 Hz, {on_ranks(ranks)}", Spread.of(values), "times real time",
-                      phases(summaries[ranks]["seconds"]))
+            print_row(group, f"all{name}, coat and files at 50 Hz, {on_ranks(ranks)}", Spread.of(values),
+                      "times real time", phases(summaries[ranks]["seconds"]))
         print_row(group, f"all{name}, gain of 2 ranks", ratio(own[2], own[1]), "times")
 
 

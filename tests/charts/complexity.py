@@ -25,7 +25,8 @@ def medians(path):
         for row in csv.DictReader(file):
             name, _, statistic = row["name"].rpartition("_")
             if statistic == "median":
-                numbers = {key: float(value) for key, value in row.items() if value and key not in ("name", "time_unit")}
+                numbers = {key: float(value) for key, value in row.items()
+                           if value and key not in ("name", "time_unit")}
                 yield {"kind": name.split("/")[0], "time": numbers.pop("real_time"), **numbers}
 
 
@@ -59,7 +60,8 @@ def draw_splits(axes, rows):
 def draw_masses(axes, rows):
     for number, entities in enumerate(sizes(rows)):
         chosen = [row for row in select(rows, kind="modify", entities=entities) if row["masses"] > 0]
-        line(axes, chosen, "masses", nanoseconds_a_split, color=f"C{number}", marker="o", label=f"{entities:,.0f} entities")
+        line(axes, chosen, "masses", nanoseconds_a_split, color=f"C{number}", marker="o",
+             label=f"{entities:,.0f} entities")
     unsewn = axes.twinx()
     line(unsewn, [row for row in select(rows, kind="modify", entities=sizes(rows)[0]) if row["masses"] > 0], "masses",
          lambda row: row["unsewn"] / row["splits"], color="grey", linestyle="--", marker="x")
@@ -78,8 +80,8 @@ def draw_sizes(axes, rows):
     first = select(rows, kind="modify")[0]
     axes.text(0.02, 0.02, f"every block, before and after: {first['darts_per_entity']:.0f} darts and "
               f"{first['bytes_per_entity']:.0f} bytes an entity", transform=axes.transAxes, fontsize=8)
-    axes.set(xscale="log", yscale="log", ylim=(0.1, None), xlabel="entities of the block", ylabel="time of the modification, ms",
-             title="(c) size of the block\n(1,000 splits)")
+    axes.set(xscale="log", yscale="log", ylim=(0.1, None), xlabel="entities of the block",
+             ylabel="time of the modification, ms", title="(c) size of the block\n(1,000 splits)")
 
 
 def main(arguments):

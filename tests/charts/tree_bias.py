@@ -37,10 +37,12 @@ def picture(folder, axis, duplets):
     stem = folder / f"{duplets}_{'xyz'[axis]}"
     stem.with_suffix(".yaml").write_text(json.dumps(scene(axis, duplets)), encoding="utf-8")
     directory = stem.with_suffix(".out")
-    subprocess.run([ROOT / "build/release/cracksim", stem.with_suffix(".yaml"), "--out", directory, "--quiet"], check=True)
-    subprocess.run(["xvfb-run", "-a", "pvpython", ROOT / "jobs/render.py", directory, "--view", "crack", "--size", "640x560",
-                    "--from=0.8,0.9,0.6", "--title", f"{duplets}, crack normal to {'xyz'[axis]}", "--out",
-                    stem.with_suffix(".png")], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([ROOT / "build/release/cracksim", stem.with_suffix(".yaml"), "--out", directory, "--quiet"],
+                   check=True)
+    subprocess.run(["xvfb-run", "-a", "pvpython", ROOT / "jobs/render.py", directory, "--view", "crack",
+                    "--size", "640x560", "--from=0.8,0.9,0.6", "--title",
+                    f"{duplets}, crack normal to {'xyz'[axis]}", "--out", stem.with_suffix(".png")],
+                   check=True, stdout=subprocess.DEVNULL)
     area = json.loads((directory / "summary.json").read_text(encoding="utf-8"))["crack_area"] / LENGTH**2
     return stem.with_suffix(".png"), area
 
@@ -54,8 +56,8 @@ def main():
                 inputs += ["-i", file]
                 print(f"{duplets}, crack normal to {'xyz'[axis]}: {area:.2f} cross-sections of crack")
         layout = "[0][1][2]hstack=3[above];[3][4][5]hstack=3[below];[above][below]vstack,scale=1200:-2"
-        subprocess.run(["ffmpeg", "-nostdin", "-y", "-loglevel", "error", *inputs, "-filter_complex", layout, sys.argv[1]],
-                       check=True)
+        subprocess.run(["ffmpeg", "-nostdin", "-y", "-loglevel", "error", *inputs, "-filter_complex", layout,
+                        sys.argv[1]], check=True)
 
 
 if __name__ == "__main__":

@@ -28,16 +28,19 @@ for quantity, measured in (("memory", summary["memory"]["per_rank_max"]), ("outp
     low, high = forecast[quantity + "_intact"], forecast[quantity + "_broken"]
     if end == "between":
         holds = 0.85 * low <= measured <= 1.15 * high
-        print(f"{name:34} {quantity:9} {low / 1e6:9.1f} to {high / 1e6:8.1f} MB {measured / 1e6:9.1f} MB  {'between' if holds else 'OUTSIDE'}")
+        print(f"{name:34} {quantity:9} {low / 1e6:9.1f} to {high / 1e6:8.1f} MB {measured / 1e6:9.1f} MB  "
+              f"{'between' if holds else 'OUTSIDE'}")
     else:
         said = forecast[f"{quantity}_{end}"]
         # How much of a coat's memory the allocator can reuse is not known beforehand.
         holds = abs(said - measured) <= (0.2 if quantity == "memory" and end == "broken" else 0.15) * measured
-        print(f"{name:34} {quantity:9} {said / 1e6:21.1f} MB {measured / 1e6:9.1f} MB  {100 * (said / measured - 1):+6.1f} %{'' if holds else '  TOO FAR'}")
+        print(f"{name:34} {quantity:9} {said / 1e6:21.1f} MB {measured / 1e6:9.1f} MB  "
+              f"{100 * (said / measured - 1):+6.1f} %{'' if holds else '  TOO FAR'}")
     good = good and holds
 low, high = forecast["exchange_intact"], forecast["exchange_broken"]
 measured = summary["exchange"]["bytes_per_step"]
-right = {"intact": measured == low, "broken": abs(measured - high) <= 0.05 * high, "between": low <= measured <= high}[end]
+right = {"intact": measured == low, "broken": abs(measured - high) <= 0.05 * high,
+         "between": low <= measured <= high}[end]
 print(f"{name:34} {'exchange':9} {low:10.0f} to {high:8.0f} B {measured:10.0f} B  {end if right else 'DIFFERENT'}")
 sys.exit(0 if good and right else 1)
 PYTHON
@@ -47,9 +50,11 @@ printf '%-34s %-9s %24s %12s  %s\n' run quantity forecast measured error
 for ranks in 1 2 4; do
     compare between "block.yaml" "$ranks"
     compare intact "intact" "$ranks" --set sensors.threshold=.inf
-    compare broken "broken, 0.1 s" "$ranks" --set 'sensors={threshold: 1.0e-9}' --set 'initial.velocity=[x, y, z]' --set time.end=0.1
+    compare broken "broken, 0.1 s" "$ranks" --set 'sensors={threshold: 1.0e-9}' --set 'initial.velocity=[x, y, z]' \
+        --set time.end=0.1
     for cells in "[20,20,5]" "[35,35,10]" "[100,100,10]" "[60,60,60]" "[200,200,20]"; do
-        compare intact "intact $cells" "$ranks" --set sensors.threshold=.inf --set "block.cells=$cells" --set time.end=0.02
+        compare intact "intact $cells" "$ranks" --set sensors.threshold=.inf --set "block.cells=$cells" \
+            --set time.end=0.02
     done
 done
 exit "$failed"

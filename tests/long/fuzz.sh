@@ -11,9 +11,9 @@ for target in scene expression; do
     grown=build/fuzz/grown/$target
     mkdir -p "$grown" build/fuzz/findings
     outcome=passed
-    nice -n 19 "build/fuzz/tests/fuzz/fuzz_$target" "$grown" "tests/fuzz/corpus/$target" -runs="$runs" -seed="${CRACKSIM_SEED:-1}" \
-        -max_len=4096 -rss_limit_mb=2048 -timeout=10 -dict=tests/fuzz/dictionary.txt -artifact_prefix=build/fuzz/findings/ \
-        -print_final_stats=1 >"build/fuzz/$target.log" 2>&1 || outcome=FAILED
+    nice -n 19 "build/fuzz/tests/fuzz/fuzz_$target" "$grown" "tests/fuzz/corpus/$target" -runs="$runs" \
+        -seed="${CRACKSIM_SEED:-1}" -max_len=4096 -rss_limit_mb=2048 -timeout=10 -dict=tests/fuzz/dictionary.txt \
+        -artifact_prefix=build/fuzz/findings/ -print_final_stats=1 >"build/fuzz/$target.log" 2>&1 || outcome=FAILED
     echo "$outcome: fuzz_$target"
     if [[ $outcome == passed ]]; then
         grep -E '^(#[0-9]+[[:space:]]+DONE|Done|stat::)' "build/fuzz/$target.log"

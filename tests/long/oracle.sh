@@ -13,11 +13,12 @@ jobs/build.sh release verification_oracle_test >/dev/null
 
 echo "$(date -u +%F), commit $(git rev-parse --short HEAD)"
 for ranks in 1 2 1 2; do
-    CRACKSIM_SEED=$seed mpirun -n "$ranks" build/release/tests/verification_oracle_test --gtest_brief=1 --gtest_color=no || failed=1
+    CRACKSIM_SEED=$seed mpirun -n "$ranks" build/release/tests/verification_oracle_test \
+        --gtest_brief=1 --gtest_color=no || failed=1
     seed=$((seed + CRACKSIM_SCENES))
 done
 for target in AVX2 SCALAR; do
-    CRACKSIM_SIMD=$target CRACKSIM_SCENES=200 CRACKSIM_SEED=$seed mpirun -n 2 build/release/tests/verification_oracle_test \
-        --gtest_brief=1 --gtest_color=no || failed=1
+    CRACKSIM_SIMD=$target CRACKSIM_SCENES=200 CRACKSIM_SEED=$seed \
+        mpirun -n 2 build/release/tests/verification_oracle_test --gtest_brief=1 --gtest_color=no || failed=1
 done
 exit "$failed"

@@ -65,7 +65,8 @@ void expect_same(const Network& network, const ParallelBody& one, const Parallel
     EXPECT_EQ(world().sum(state_hash(network, one.state)), world().sum(state_hash(network, other.state)));
 }
 
-/// Runs to a step, makes the body anew and continues both. Returns how many duplets were inactive then, and triggered later.
+/// Runs to a step, makes the body anew and continues both. Returns how many duplets were inactive then, and triggered
+/// later.
 std::array<std::int64_t, 2> expect_bitwise_continuation(const Problem& problem, int before, int after) {
     const auto started = problem.started();
     ParallelBody& body = *started;

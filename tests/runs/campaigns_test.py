@@ -33,7 +33,8 @@ def campaigns_build_what_they_run(workplace, quick):
         found = list(programs_run(text))
         check(found, f"{script.name} runs nothing")
         for folder, name, place in found:
-            check(is_built_before(text, folder, name, place), f"{script.name} runs build/{folder}/.../{name}, but does not build it")
+            check(is_built_before(text, folder, name, place),
+                  f"{script.name} runs build/{folder}/.../{name}, but does not build it")
     check(len(scripts) > 3, f"only {scripts} were found")
 
 

@@ -178,7 +178,8 @@ def unstable_run_returns_3(workplace, quick):
             check(word in done.stdout + done.stderr, f"the message does not name '{word}'; {said}")
         found = summary(directory)
         check(found["status"] == "invalid", "the status in summary.json is not 'invalid'")
-        check(found["time"]["steps"] == found["invalid"]["step"], f"the last step is not the invalid one: {found['time']}")
+        check(found["time"]["steps"] == found["invalid"]["step"],
+              f"the last step is not the invalid one: {found['time']}")
         check(found["state_hash"] is None, "a state that depends on the ranks has a hash")
         frame = last_frame(directory, "surface")
         subprocess.run(["h5ls", "-r", str(frame)], check=True, stdout=subprocess.DEVNULL)
@@ -188,7 +189,7 @@ def unstable_run_returns_3(workplace, quick):
 
 
 if __name__ == "__main__":
-    main([wrong_scenes_return_2, wrong_commands_return_2, foreign_directory_is_refused, old_run_goes_only_for_a_valid_one,
-          two_runs_do_not_share_a_directory,
-          block_beyond_the_memory_is_refused, support_may_start_with_infinite_acceleration, dry_run_writes_nothing, help_and_version_return_0, default_directory_is_the_stem_of_the_input,
-          unstable_run_returns_3])
+    main([wrong_scenes_return_2, wrong_commands_return_2, foreign_directory_is_refused,
+          old_run_goes_only_for_a_valid_one, two_runs_do_not_share_a_directory, block_beyond_the_memory_is_refused,
+          support_may_start_with_infinite_acceleration, dry_run_writes_nothing, help_and_version_return_0,
+          default_directory_is_the_stem_of_the_input, unstable_run_returns_3])

@@ -35,7 +35,8 @@ def check_run(workplace, quick, end, *arguments, ranks):
     if not quick:
         check_near(f"memory, {what}", forecast[f"memory_{end}"], found["memory"]["per_rank_max"])
     check_near(f"output, {what}", forecast[f"output_{end}"], output_bytes(directory))
-    check(0 <= found["exchange"]["waiting"] <= found["seconds"]["exchange"], f"waiting, {what}: not a part of the exchange")
+    check(0 <= found["exchange"]["waiting"] <= found["seconds"]["exchange"],
+          f"waiting, {what}: not a part of the exchange")
     said, sent = forecast[f"exchange_{end}"], found["exchange"]["bytes_per_step"]
     if end == "intact":
         check(said == sent, f"exchange, {what}: not exact")
@@ -132,6 +133,6 @@ def huge_block_is_forecast_at_once_and_with_a_warning(workplace, quick):
         check("use ranks on more machines" in done.stderr, f"no warning of too little memory:\n{done.stderr}")
 
 
-main([holds_if_nothing_breaks, memory_of_the_smallest_blocks_lies_in_its_range, memory_grows_with_the_block_as_was_said, holds_if_all_of_it_breaks,
-      cracking_run_lies_between, interfaces_that_open_add_what_was_said, dry_run_says_what_the_run_says,
-      huge_block_is_forecast_at_once_and_with_a_warning])
+main([holds_if_nothing_breaks, memory_of_the_smallest_blocks_lies_in_its_range, memory_grows_with_the_block_as_was_said,
+      holds_if_all_of_it_breaks, cracking_run_lies_between, interfaces_that_open_add_what_was_said,
+      dry_run_says_what_the_run_says, huge_block_is_forecast_at_once_and_with_a_warning])

@@ -72,8 +72,8 @@ def hashes_tell_runs_apart(workplace, quick):
 
 def any_rates(workplace, quick):
     expected = reference(workplace, cracking_scene(), 150, "the block")
-    for ranks, key, rate in ((1, "coat", 7), (2, "coat", 1000), (3, "output", 7), (2, "output", 333), (1, "history", 11),
-                             (3, "history", 1500))[:2 if quick else None]:
+    for ranks, key, rate in ((1, "coat", 7), (2, "coat", 1000), (3, "output", 7), (2, "output", 333),
+                             (1, "history", 11), (3, "history", 1500))[:2 if quick else None]:
         compare(workplace, cracking_scene(), expected, f"{key}.rate {rate}", "--set", f"{key}.rate={rate}", ranks=ranks)
 
 
@@ -93,8 +93,8 @@ def wide_rows(workplace, quick):
         expected = reference(workplace, scene, 100, f"wide rows, {precision}")
         for ranks in (3,) if quick else (1, 2, 3):
             for prefilter in ("true", "false"):
-                compare(workplace, scene, expected, f"wide rows, {precision}", "--set", f"sensors.prefilter={prefilter}",
-                        "--set", "partition.kind=metis", ranks=ranks)
+                compare(workplace, scene, expected, f"wide rows, {precision}", "--set",
+                        f"sensors.prefilter={prefilter}", "--set", "partition.kind=metis", ranks=ranks)
 
 
 def scheme_ab2_with_supports(workplace, quick):
@@ -112,7 +112,8 @@ def single_precision(workplace, quick):
         expected = reference(workplace, scene, 100, f"{scheme} in single precision")
         if not quick:
             double = cracking_scene(time={"end": 0.06, "scheme": scheme}, **more)
-            check(hashes(workplace.finished(double)) != expected, f"{scheme}: single precision has the hashes of double")
+            check(hashes(workplace.finished(double)) != expected,
+                  f"{scheme}: single precision has the hashes of double")
         for ranks in (3,) if quick else RANKS[1:]:
             for partition in PARTITIONS[-1:] if quick else PARTITIONS:
                 compare(workplace, scene, expected, f"{scheme} in single precision", "--audit", "--set",
@@ -122,7 +123,8 @@ def single_precision(workplace, quick):
 
 def simd_targets(workplace):
     """The targets, best first, from the message about an invalid one."""
-    said = subprocess.run([workplace.binary, "--simd", "none", "scene.yaml"], check=False, capture_output=True, text=True)
+    said = subprocess.run([workplace.binary, "--simd", "none", "scene.yaml"], check=False,
+                          capture_output=True, text=True)
     return said.stderr.strip().rpartition("take one of ")[2].split(", ")
 
 
@@ -140,7 +142,8 @@ def every_simd_target(workplace, quick):
             directory = workplace.finished(scene, "--simd", target)
             expected = hashes(directory)
             if target == oldest:
-                check(summary(directory)["provenance"]["simd_target"] == oldest, f"{oldest} is not what the summary names")
+                check(summary(directory)["provenance"]["simd_target"] == oldest,
+                      f"{oldest} is not what the summary names")
                 check(expected != with_best or used == oldest, f"{oldest} has the hashes of {used}")
             elif used.startswith("AVX"):
                 check(expected == with_best, f"{target} has other hashes than {used}")
@@ -162,7 +165,8 @@ def ranks_without_an_entity(workplace, quick):
 def boxes_of_a_network(workplace, quick):
     scene = cracking_scene(
         block={"entity": "hexahedron", "cells": [8, 7, 4], "edge": [0.01, 0.013, 0.008]}, material=None,
-        network={"mass": 1.25e-4, "edge": {"stiffness": 40, "viscosity": 0.02}, "diagonal": {"stiffness": 0, "viscosity": 0}})
+        network={"mass": 1.25e-4, "edge": {"stiffness": 40, "viscosity": 0.02},
+                 "diagonal": {"stiffness": 0, "viscosity": 0}})
     expected = reference(workplace, scene, 100, "boxes")
     for ranks in (2,) if quick else (2, 3, 7):
         compare(workplace, scene, expected, "boxes", "--audit", "--set", "partition.kind=random", ranks=ranks)
@@ -240,8 +244,8 @@ def release_and_second_build_agree(workplace, quick):
 
 
 TESTS = [any_ranks_and_partition, energies_are_the_same_on_any_ranks, hashes_tell_runs_apart, any_rates,
-         prefilter_on_and_off, wide_rows, scheme_ab2_with_supports, single_precision, every_simd_target, boxes_of_a_network,
-         tree_of_duplets, ranks_without_an_entity, random_scenes, frames_do_not_depend_on_ranks]
+         prefilter_on_and_off, wide_rows, scheme_ab2_with_supports, single_precision, every_simd_target,
+         boxes_of_a_network, tree_of_duplets, ranks_without_an_entity, random_scenes, frames_do_not_depend_on_ranks]
 if __name__ == "__main__":
     if "CRACKSIM_SECOND_BINARY" in os.environ:
         TESTS.append(release_and_second_build_agree)

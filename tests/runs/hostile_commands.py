@@ -138,8 +138,8 @@ COMMANDS = [
     ("setting with a quote too many", ["scene.yaml", "--set", 'title="a block""'],
      "--set title: the value ends and something follows; " + ONE_TOO_MANY),
     ("setting of a list with a quote too many", ["scene.yaml", "--set", 'initial.velocity=["x*y"", 0, 0]'],
-     "--set initial.velocity: the text ends inside a quote; close it where it should end, or remove the quote that is one "
-     "too many"),
+     "--set initial.velocity: the text ends inside a quote; close it where it should end, or remove the quote that is "
+     "one too many"),
     ("setting of a number with a quote too many", ["scene.yaml", "--set", 'time.end=0.5"'],
      "--set time.end: needs a number above 0 s, not '0.5\"'; remove the quote in it"),
     ("setting with a bracket too many", ["scene.yaml", "--set", "block.cells=[4, 4, 2]]"],
@@ -155,8 +155,8 @@ COMMANDS = [
     ("setting of a negative end", ["scene.yaml", "--set", "time.end=1", "--set", "time.end=-1"],
      "--set time.end: needs a number above 0 s, not '-1'"),
     ("more rows than can be numbered", ["scene.yaml", "--set", "block.cells=[1, 8000, 8000]"],
-     "block.cells: a rank would hold too many rows of so few entities along x; lay the longest side along x, or use more "
-     "ranks"),
+     "block.cells: a rank would hold too many rows of so few entities along x; lay the longest side along x, or use "
+     "more ranks"),
     ("setting of a notch in a scene without notches", ["scene.yaml", "--set", "notches.0.name=a"],
      "--set notches.0.name: notches: needs a list, not a map"),
     ("setting of a notch that opens nothing",

@@ -45,7 +45,8 @@ MEANING = [
         ":5:36: sensors.threshold: '1e400*x' is not a number or an expression: '1e400' at character 1 is too large; "
         "numbers reach up to 1.7e308" + ALLOWED),
     Row("title of control characters", "title: a block", 'title: "\\e[2Jgone"',
-        ":1:8: title: needs one line of at most 200 bytes, not ' [2Jgone'; remove the control character 0x1B at byte 1"),
+        ":1:8: title: needs one line of at most 200 bytes, not ' [2Jgone'; remove the control character 0x1B "
+        "at byte 1"),
     Row("title that steers a terminal by one character", "title: a block", 'title: "a\\x9b2J"',
         ":1:8: title: needs one line of at most 200 bytes, not 'a 2J'; remove the control character 0x9B at byte 2"),
     Row("endless title", "title: a block", "title: " + "a" * 201,

@@ -22,8 +22,9 @@ def cost(workplace, supports):
     """The peak of memory in bytes and the CPU time in seconds of a forecast."""
     with tempfile.TemporaryDirectory(prefix="cracksim-mpi-") as sessions:
         alone = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_orte_tmpdir_base": sessions}
-        with subprocess.Popen([workplace.binary, workplace.write(json.dumps(scene(supports))), "--dry-run"], cwd=workplace.path,
-                              env={**os.environ, **ENVIRONMENT, **alone}, stdout=subprocess.DEVNULL) as run:
+        with subprocess.Popen([workplace.binary, workplace.write(json.dumps(scene(supports))), "--dry-run"],
+                              cwd=workplace.path, env={**os.environ, **ENVIRONMENT, **alone},
+                              stdout=subprocess.DEVNULL) as run:
             _, status, usage = os.wait4(run.pid, 0)
             run.returncode = os.waitstatus_to_exitcode(status)
     check(run.returncode == 0, f"{supports} supports: the exit code is {run.returncode}")

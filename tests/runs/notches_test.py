@@ -49,7 +49,8 @@ def a_cut_leaves_two_fragments_and_no_crack_area(workplace, quick):
             check(found[name] == expected, f"{name} is {found[name]} on {ranks} ranks, not {expected}")
         check(found["events"] == {"duplets": 0, "splits": 0}, f"a notch made events: {found['events']}")
         check(found["counts"]["notched_faces"] == 10, f"{found['counts']['notched_faces']} faces are open, not 10")
-        check(found["counts"]["duplets"] == 4 * (found["counts"]["interior_faces"] - 10), "duplets are left in the notch")
+        check(found["counts"]["duplets"] == 4 * (found["counts"]["interior_faces"] - 10),
+              "duplets are left in the notch")
         check(found["counts"]["unions"] == 11 * 11 * 2 + 11 * 2, f"{found['counts']['unions']} unions at the start")
         _, cells = frame_cells(last_frame(directory, "crack"))
         check(len(cells) == 20, f"{len(cells)} crack faces, not the 20 of a cut")
@@ -65,7 +66,8 @@ def thresholds_open_faces_beside_the_cut(workplace, quick):
     scene = plate([10, 10, 1], sensors={"threshold": "abs(y-0.05) < 1e-4 ? 1e-9 : 10"}, time={"end": 0.05})
     found = summary(workplace.finished(scene))
     check(found["fragments"] == 2, "the thresholds do not cut the plate")
-    check(found["crack_area"] > 1.5 * 0.001, f"crack area {found['crack_area']} m2: thresholds have become exact; say so")
+    check(found["crack_area"] > 1.5 * 0.001,
+          f"crack area {found['crack_area']} m2: thresholds have become exact; say so")
 
 
 def displacement(time):
@@ -125,7 +127,8 @@ def fracture_energy_drives_a_crack_from_a_notch(workplace, quick):
 def any_ranks_and_partition(workplace, quick):
     """Oblique notches through vertices and entities, with both kinds of duplets, audited."""
     notches = [{"name": "oblique", **rectangle([0.02, 0.01, -0.01], [0.05, 0.04, 0], [0.01, 0, 0.06])},
-               {"name": "disc", "where": {"disc": {"centre": [0.09, 0.04, 0.02], "normal": [1, 0.3, 0.2], "radius": 0.03}}},
+               {"name": "disc",
+                "where": {"disc": {"centre": [0.09, 0.04, 0.02], "normal": [1, 0.3, 0.2], "radius": 0.03}}},
                {"name": "triangle", "where": {"polygon": [[0, 0.05, 0.02], [0.12, 0.05, 0.02], [0.06, 0.09, 0.02]]}}]
     for duplets in ("corners", "tree"):
         scene = {
@@ -147,7 +150,8 @@ def any_ranks_and_partition(workplace, quick):
                 directory = workplace.finished(scene, "--audit", "--set", f"partition.kind={partition}", ranks=ranks)
                 check(hashes(directory) == hashes(reference), f"{duplets}, {partition}: other hashes on {ranks} ranks")
                 for name in ("fragments", "components", "crack_area", "counts"):
-                    check(summary(directory)[name] == found[name], f"{duplets}, {partition}: other {name} on {ranks} ranks")
+                    check(summary(directory)[name] == found[name],
+                          f"{duplets}, {partition}: other {name} on {ranks} ranks")
                 same = frame_cells(last_frame(directory, "crack")) == frame_cells(last_frame(reference, "crack"))
                 check(same, f"{duplets}, {partition}: another crack frame on {ranks} ranks")
 
@@ -169,7 +173,8 @@ def a_notch_one_entity_wide_parts_no_union(workplace, quick):
     notched = sum(1 for cell in cells if cell[2] == 0)
     check(notched == 2, f"{notched} crack faces have opened_at 0, not the two sides of the notch")
     faces_beside = len(cells) / 2 - 1
-    check(abs(found["crack_area"] - 1e-4 * faces_beside) < 1e-9, f"crack area {found['crack_area']} m2 of {faces_beside} faces")
+    check(abs(found["crack_area"] - 1e-4 * faces_beside) < 1e-9,
+          f"crack area {found['crack_area']} m2 of {faces_beside} faces")
 
 
 def a_run_says_what_notches_open(workplace, quick):
@@ -179,8 +184,8 @@ def a_run_says_what_notches_open(workplace, quick):
     check(done.returncode == 0 and "notches open 10 interior faces" in done.stdout, done.stdout + done.stderr)
 
 
-TESTS = [a_notch_one_entity_wide_parts_no_union, a_cut_leaves_two_fragments_and_no_crack_area, thresholds_open_faces_beside_the_cut,
-         a_crack_starts_as_from_faces_opened_by_thresholds, fracture_energy_drives_a_crack_from_a_notch,
-         any_ranks_and_partition, a_run_says_what_notches_open]
+TESTS = [a_notch_one_entity_wide_parts_no_union, a_cut_leaves_two_fragments_and_no_crack_area,
+         thresholds_open_faces_beside_the_cut, a_crack_starts_as_from_faces_opened_by_thresholds,
+         fracture_energy_drives_a_crack_from_a_notch, any_ranks_and_partition, a_run_says_what_notches_open]
 if __name__ == "__main__":
     main(TESTS)

@@ -72,7 +72,8 @@ def check_series(directory, name, frames):
     if not frames:
         left = [name + e for e in (".xdmf", ".hdf.series") if os.path.exists(os.path.join(directory, name + e))]
         return [f"{file} stands there, but summary.json lists no frame of it" for file in left]
-    found = [f"{frame['file']} is missing" for frame in frames if not os.path.exists(os.path.join(directory, frame["file"]))]
+    found = [f"{frame['file']} is missing" for frame in frames
+             if not os.path.exists(os.path.join(directory, frame["file"]))]
     if found:
         return found
     for label, reader in readers(directory, name):

@@ -13,7 +13,8 @@ SIZE = (320, 240)
 
 
 # Messages of an X server that did not start or that ended, which happens on a busy machine; it is not under test.
-X_SERVER_FAILED = ("bad X server connection", "Xvfb failed to start", "cannot open display", "Could not connect to display")
+X_SERVER_FAILED = ("bad X server connection", "Xvfb failed to start", "cannot open display",
+                   "Could not connect to display")
 
 
 def render(directory, *arguments):
@@ -33,8 +34,8 @@ def rendered(directory, out, *arguments):
 
 
 def pixels(picture):
-    raw = subprocess.run(["ffmpeg", "-nostdin", "-loglevel", "error", "-i", picture, "-f", "rawvideo", "-pix_fmt", "rgb24",
-                          "-"], capture_output=True, check=True).stdout
+    raw = subprocess.run(["ffmpeg", "-nostdin", "-loglevel", "error", "-i", picture, "-f", "rawvideo",
+                          "-pix_fmt", "rgb24", "-"], capture_output=True, check=True).stdout
     check(len(raw) == 3 * SIZE[0] * SIZE[1], f"{picture} has not {SIZE[0]} x {SIZE[1]} pixels")
     return list(zip(raw[0::3], raw[1::3], raw[2::3]))
 
@@ -118,7 +119,8 @@ def wrong_requests_are_explained(workplace, quick):
     directory = workplace.finished(cracking_scene(time={"end": 0.001}))
     for arguments, words in ((["--view", "masses"], "output.masses=true"), (["--frame", "99"], "0 to"),
                              (["--out", "picture.doc"], "name a .png"), (["--out", "none/a.png"], "no directory none"),
-                             (["--fps", "0"], "--fps"), (["--from=nan,1,1"], "--from"), (["--size", "99999x9"], "--size")):
+                             (["--fps", "0"], "--fps"), (["--from=nan,1,1"], "--from"),
+                             (["--size", "99999x9"], "--size")):
         done = render(directory, *arguments)
         check(done.returncode != 0 and words in done.stderr, f"{arguments} gives:\n{done.stdout}{done.stderr}")
 
@@ -127,4 +129,5 @@ if __name__ == "__main__":
     if "--quick" in sys.argv or not all(map(shutil.which, ("pvpython", "xvfb-run", "ffmpeg"))):
         print("skipped: quick, or pvpython, xvfb-run or ffmpeg is not installed")
         sys.exit(SKIPPED)
-    main([every_view_shows_its_colours, nothing_is_cut_at_the_edge, a_title_is_written_above, a_movie_has_every_frame, wrong_requests_are_explained])
+    main([every_view_shows_its_colours, nothing_is_cut_at_the_edge, a_title_is_written_above, a_movie_has_every_frame,
+          wrong_requests_are_explained])

@@ -15,7 +15,8 @@ ENVIRONMENT = {
     "OMPI_MCA_hwloc_base_binding_policy": "none",
     "OMPI_MCA_mpi_yield_when_idle": "1",  # more ranks than cores: a rank that waits must not spin
     "ASAN_OPTIONS": "fast_unwind_on_malloc=0",
-    "LSAN_OPTIONS": f"suppressions={pathlib.Path(__file__).resolve().parent.parent}/support/lsan.supp:print_suppressions=0",
+    "LSAN_OPTIONS": f"suppressions={pathlib.Path(__file__).resolve().parent.parent}/support/lsan.supp:"
+                    "print_suppressions=0",
 }
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -97,7 +98,7 @@ def dataset(file, path):
 
 
 def frame_cells(file):
-    """The cells of a frame, (cell data ..., corner positions ...), sorted, so that the order in the file is irrelevant."""
+    """The cells of a frame, (cell data ..., corner positions ...), sorted: the order in the file is irrelevant."""
     points = dataset(file, "/VTKHDF/Points")
     connectivity = dataset(file, "/VTKHDF/Connectivity")
     fields = [dataset(file, f"/VTKHDF/CellData/{name}") for name in ("entity", "fragment", "opened_at", "opening")]

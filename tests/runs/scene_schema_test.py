@@ -44,23 +44,24 @@ BY_MATERIAL = {
 VALUES = [None, True, False, -1, 0, 1, 2, 0.25, 1.5, -0.5, 2147483648, "", "no such word", "x", "sin(t)", [], {}, [1],
           [1, 1], [1, 1, 1], [0, 0, 0], [-1, 1, 1], [1.5, 1, 1], ["x", 0, 0], ["sin(t)", 0, 0], [None, 0, 0],
           [None, None, None], [1, 1, 1, 1], [True, 1, 1], [[1], 1, 1], [{}, 1, 1], [[0, 0, 0], [1, 1, 1]],
-          [[0, 0], [1, 1, 1]], [[0, 0, 0], [1, 1, 1], [2, 2, 2]], [SUPPORT], [SUPPORT, SUPPORT], [{}], {"no_such_key": 1},
-          NOTCHES, NOTCHES[1:2], [{**notch, "name": "x"} for notch in NOTCHES], [{**NOTCHES[0], "no_such_key": 1}],
-          SHAPES, *({shape: value} for shape, value in SHAPES.items()), *SHAPES.values(), "x" * 61, 1e-12, [0, -2, 0],
+          [[0, 0], [1, 1, 1]], [[0, 0, 0], [1, 1, 1], [2, 2, 2]], [SUPPORT], [SUPPORT, SUPPORT], [{}],
+          {"no_such_key": 1}, NOTCHES, NOTCHES[1:2], [{**notch, "name": "x"} for notch in NOTCHES],
+          [{**NOTCHES[0], "no_such_key": 1}], SHAPES, *({shape: value} for shape, value in SHAPES.items()),
+          *SHAPES.values(), "x" * 61, 1e-12, [0, -2, 0],
           *([[0, 0, 0], [1, 0, 0], corner, [0, 1, 0]]
             for corner in ([1, 1, 0], [1, 1, 1], [-1, 1, 0], [1, 1], [1, 1, "x"])),
           "tetrahedron", "tree", "wide", "full", "rk4", "implicit", "static"]
 # Values whose spelling matters, written as in a file; every key is tested with them too.
-TEXTS = ['"50"', "'1'", '"0.25"', '"1e3"', '"-1"', '"true"', '"null"', '""', ".inf", "-.inf", ".Inf", "-.INF", '".inf"', ".nan",
-         "inf", "1e400", "-1e400", '"1e400"', "1e3", "4.0", "+1", "True", "FALSE", "yes", "Null", "~", "0x10", '"a\\tb"',
-         '"a\\x9bb"']
+TEXTS = ['"50"', "'1'", '"0.25"', '"1e3"', '"-1"', '"true"', '"null"', '""', ".inf", "-.inf", ".Inf", "-.INF", '".inf"',
+         ".nan", "inf", "1e400", "-1e400", '"1e400"', "1e3", "4.0", "+1", "True", "FALSE", "yes", "Null", "~", "0x10",
+         '"a\\tb"', '"a\\x9bb"']
 # Errors of values that have the right form, which only the reader can detect. Quoted text may be an expression; .nan is
 # a number that no bound excludes.
 ONLY_THE_READER = ("is not a number or an expression", "may depend on x, y, z, but not on t", "must be finite",
                    "too large to be held", "infinity is written .inf", "lies so far from 0",
                    "outside of 1e-60 to 1e60", "the lower corner is above the upper one", "more than can be counted",
-                   "there is a notch named", "a million times the block's reach of 1.73 m", "encloses no area", "is not plane",
-                   "sides that cross or touch", "lies outside of the block", "has a radius of",
+                   "there is a notch named", "a million times the block's reach of 1.73 m", "encloses no area",
+                   "is not plane", "sides that cross or touch", "lies outside of the block", "has a radius of",
                    "a threshold is a stretch above 0 (.inf: never), not '-1'", "not '.nan'", "not '0x10'")
 
 
@@ -215,5 +216,6 @@ def schema_is_one(workplace, quick):
 
 
 if __name__ == "__main__":
-    main([schema_is_one, reader_and_schema_agree, reader_and_schema_read_a_spelling_alike, reader_and_schema_know_the_same_words,
-          scenes_of_the_project_are_valid, wrong_forms_are_refused, readme_says_the_same])
+    main([schema_is_one, reader_and_schema_agree, reader_and_schema_read_a_spelling_alike,
+          reader_and_schema_know_the_same_words, scenes_of_the_project_are_valid, wrong_forms_are_refused,
+          readme_says_the_same])

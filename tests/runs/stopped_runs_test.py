@@ -11,7 +11,8 @@ import time
 from runner import ENVIRONMENT, check, cracking_scene, main, summary
 
 LARGE = cracking_scene(output={"rate": 400, "masses": True})  # 6 MB or more
-FREQUENT = cracking_scene(output={"rate": 2000, "surface": True, "crack": True})  # 8 MB, all written by the worker thread
+# 8 MB, all written by the worker thread
+FREQUENT = cracking_scene(output={"rate": 2000, "surface": True, "crack": True})
 LONG = cracking_scene(time={"end": 1000})
 
 
@@ -46,10 +47,12 @@ def frames_listed_are_there(directory, found):
 
 
 def full_disk_leaves_a_summary_that_says_so(workplace, quick):
-    for scene, ranks in ((LARGE, 2), (FREQUENT, 2)) if quick else ((LARGE, 1), (LARGE, 3), (FREQUENT, 1), (FREQUENT, 3)):
+    for scene, ranks in (((LARGE, 2), (FREQUENT, 2)) if quick else
+                         ((LARGE, 1), (LARGE, 3), (FREQUENT, 1), (FREQUENT, 3))):
         with small_disk(workplace, "2m") as disk:
             if not disk:
-                print("skipped full_disk_leaves_a_summary_that_says_so: a small disk cannot be mounted here", flush=True)
+                print("skipped full_disk_leaves_a_summary_that_says_so: a small disk cannot be mounted here",
+                      flush=True)
                 return
             done = workplace.run(workplace.write(scene), "--out", disk / "run", ranks=ranks)
             check(done.returncode == 1, f"the exit code is {done.returncode}, not 1\n{done.stdout}{done.stderr}")
@@ -130,8 +133,9 @@ def sigterm_stops_all_ranks_with_a_summary(workplace, quick):
 def told_to(terminal, workplace, *arguments):
     """The exit code and standard error of cracksim without mpirun, which would handle the terminal itself."""
     with open(terminal, "w", encoding="utf-8") as out:
-        done = subprocess.run([workplace.binary, *map(str, arguments)], cwd=workplace.path, env={**os.environ, **ENVIRONMENT},
-                              check=False, stdout=out, stderr=subprocess.PIPE, text=True, timeout=600)
+        done = subprocess.run([workplace.binary, *map(str, arguments)], cwd=workplace.path,
+                              env={**os.environ, **ENVIRONMENT}, check=False, stdout=out, stderr=subprocess.PIPE,
+                              text=True, timeout=600)
     return done.returncode, done.stderr
 
 
