@@ -41,8 +41,8 @@ void SplitParts::add(std::int64_t at_step, MassId of_union, std::span<const Mass
 SplitParts sorted(const SplitParts& parts) {
     std::vector<Part> list = views(parts);
     std::ranges::sort(list, {}, &Part::key);
-    const auto repeated = std::ranges::unique(list, {}, &Part::key);
-    list.erase(repeated.begin(), repeated.end());
+    const auto same = [](const Part& a, const Part& b) { return a.key() == b.key(); };
+    list.erase(std::unique(list.begin(), list.end(), same), list.end());
     SplitParts result;
     for (const Part& part : list) {
         result.add(part.step, part.parent, part.masses);
