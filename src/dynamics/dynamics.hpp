@@ -41,7 +41,7 @@ private:
 };
 
 /// The motion of the network on all ranks, step by step; connects physics and partition.
-/// A step is  break_duplets(); ... ; advance();  between act and advance, everything is at state n.
+/// A step is  break_duplets(); ... ; advance();  between the two, everything is at state n.
 class Dynamics {
 public:
     /// Collective. Throws InputError on all ranks. comm and stopwatch must outlive this.

@@ -39,7 +39,7 @@ public:
         return messages * header + unions * increment;
     }
 
-    /// Collective. The state must have the parts of the received masses.
+    /// Collective. In a body that has broken, share_parts must follow before the first forces.
     MotionExchange(const partition::Communicator& comm, const physics::Network& network,
                    const partition::Decomposition& decomposition, const physics::State& state);
 

@@ -228,16 +228,23 @@ double event_bytes(const scene::Scene& scene, const RankCounts& counts, const Ra
     return opened * (here + (setting.is_root ? on_root : 0));
 }
 
+/// The share of the interior faces that are open if the share `broken` of them breaks: at least the notched ones.
+double share_opened(const RankCounts& counts, double broken) {
+    return std::max(broken, number(counts.notched_faces) / std::max(1.0, number(counts.interior_faces)));
+}
+
 }  // namespace
 
-double model_bytes(const scene::Scene& scene, const RankCounts& counts, double opened) {
+double model_bytes(const scene::Scene& scene, const RankCounts& counts, double broken) {
+    const double opened = share_opened(counts, broken);
     return network_bytes(counts, has_one_threshold(scene.sensors)) + state_bytes(counts, scene.time) +
            pool_bytes(counts, scene.time, opened) + coat_bytes(counts, opened);
 }
 
 std::int64_t peak_bytes(const scene::Scene& scene, const RankCounts& counts, const RankSetting& setting,
-                        double opened) {
-    const double model = model_bytes(scene, counts, opened) + distribution_bytes(counts);
+                        double broken) {
+    const double opened = share_opened(counts, broken);
+    const double model = model_bytes(scene, counts, broken) + distribution_bytes(counts);
     // Events and frames add up: SuperLU_DIST, a dependency of PETSc, sets the allocator to return no memory to the
     // system, and the blocks of memory that a coat frees are too small for a frame.
     const double running = model + breaking_bytes(counts, scene.time, opened) +

@@ -16,12 +16,13 @@ struct RankSetting {
     std::int64_t process_bytes{0};  ///< memory that the process held before the block was built
 };
 
-/// Bytes of a rank's network, state and map after the share `opened`, 0 to 1, of its interior faces has opened.
-[[nodiscard]] double model_bytes(const scene::Scene& scene, const RankCounts& counts, double opened);
+/// Bytes of a rank's network, state and map after the share `broken`, 0 to 1, of its interior faces has broken. Notched
+/// faces take as much memory as broken ones.
+[[nodiscard]] double model_bytes(const scene::Scene& scene, const RankCounts& counts, double broken);
 
-/// Peak memory of a rank in a run in which the share `opened` of all interior faces opens at once, bytes: the process
+/// Peak memory of a rank in a run in which the share `broken` of all interior faces breaks at once, bytes: the process
 /// with its libraries, the model, and the temporary memory of events and frames; or of the partition, if that is more.
 [[nodiscard]] std::int64_t peak_bytes(const scene::Scene& scene, const RankCounts& counts, const RankSetting& setting,
-                                      double opened);
+                                      double broken);
 
 }  // namespace cracksim::forecast

@@ -137,6 +137,7 @@ RankCounts count_rank(const dynamics::Dynamics& dynamics, const surface::Coat& c
     counts.sites = static_cast<std::int64_t>(lattice.batches()) * physics::Lattice::lanes;
     counts.vertex_sites = static_cast<std::int64_t>(lattice.vertex_sites());
     counts.interior_faces = static_cast<std::int64_t>(network.interior_faces().size());
+    counts.notched_faces = static_cast<std::int64_t>(network.notched_faces().size());
     counts.received = static_cast<std::int64_t>(network.received().size());
     counts.sent = dynamics.exchange().plan().values_sent();
     counts.sent_unions = dynamics.exchange().unions_sent_at_start();

@@ -17,6 +17,7 @@ struct RankCounts {
     std::int64_t sites{0};           ///< entity sites of the lattice, void ones included
     std::int64_t vertex_sites{0};    ///< vertex sites of the lattice, void ones included
     std::int64_t interior_faces{0};  ///< between local entities
+    std::int64_t notched_faces{0};   ///< of these, the notched ones; 0 in an estimate
     std::int64_t received{0};        ///< masses
     std::int64_t sent{0};            ///< masses, counted once for each rank that receives them
     std::int64_t sent_unions{0};     ///< unions of the sent masses at the start, counted once for each receiving rank

@@ -37,8 +37,8 @@ struct Swept {
 /// The forces on the corners of an entity, N.
 using CornerForces = std::array<Vec3, Hexahedron::corners>;
 
-/// Computes forces and advances motions. Each implementation is compiled for its own layout of the motion, and the
-/// virtual calls are few in each step. An engine keeps caches that follow from network and state. So an engine serves
+/// Computes forces and advances motions. A step makes only a few virtual calls: the loops over entities and unions are
+/// inside each engine. An engine keeps caches that follow from network and state. So an engine serves
 /// one state, and changed() must follow every change of unions or duplets.
 class Engine {
 public:

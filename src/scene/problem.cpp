@@ -70,8 +70,10 @@ std::optional<std::string> finding(const physics::Network& network, const Scene&
 
 /// Collective. Throws InputError on all ranks alike for a notch that opens no interior face.
 void check_notches(const partition::Communicator& comm, const Scene& scene, const physics::Network& network) {
+    std::vector<std::int64_t> faces{network.faces_of_notches().begin(), network.faces_of_notches().end()};
+    comm.sum(faces);
     for (std::size_t n = 0; n < scene.notches.size(); ++n) {
-        if (comm.sum(network.faces_of_notches()[n]) == 0) {
+        if (faces[n] == 0) {
             throw InputError{scene.notches[n].place + "'" + scene.notches[n].name + "' opens 0 of the block's " +
                              std::to_string(scene.block.interior_face_count()) +
                              " interior faces: it crosses no line between the centres of two neighbouring entities; "

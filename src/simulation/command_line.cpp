@@ -102,7 +102,7 @@ void declare(CLI::App& app, CommandLine& command, std::string& progress, std::st
         ->type_name("key.path=value")
         ->allow_extra_args(false);
     app.add_flag("--dry-run", command.dry_run, "Check the scene, say what the run would be, write nothing");
-    app.add_flag("--audit", command.audit, "Check the exchange between ranks at every coat");
+    app.add_flag("--audit", command.audit, "Check the exchange between ranks, the map and the surface at every coat");
     app.add_flag("--quiet", command.quiet, "Print warnings and errors only");
     app.add_option("--progress", progress, "plain: a line now and then; live: one line, redrawn")
         ->type_name("plain|live");

@@ -53,9 +53,8 @@ std::vector<std::string> warnings(const scene::Scene& scene, const scene::Certif
     }
     if (counts.notched_faces > 0 && counts.unions == scene.block.vertex_count()) {
         all.emplace_back(
-            "notches: they part no Mass-union, because each is only one entity wide; the entities hang together around "
-            "its "
-            "rim; make it at least two entities wide in both directions, or let it reach the block's surface");
+            "notches: they part no Mass-union, so the block starts whole; a notch parts one where it opens all faces "
+            "around a vertex inside the notch: make it wider, two entities or more each way");
     }
     return all;
 }
@@ -88,7 +87,7 @@ void check_unbuilt(const scene::Scene& scene, int ranks) {
     }
 }
 
-/// A run that has finished and must be reported.
+/// A run and what reports it, at its end or where it stopped.
 struct FinishedRun {
     const partition::Communicator& comm;
     const Simulation& simulation;

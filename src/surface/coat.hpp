@@ -33,7 +33,8 @@ class Coat {
 public:
     /// The map of a body with these unions: a face is open from the start if a pair of its corners shares no union. A
     /// notched face counts as opened at 0 s and not as crack area, also if it is sewn until a union at its rim splits.
-    /// Collective. comm and decomposition must outlive this.
+    /// Unions do not tell when they split: a face that is open at construction counts as opened at 0 s and not as crack
+    /// area, notched or not. Collective. comm and decomposition must outlive this.
     Coat(const partition::Communicator& comm, const physics::Network& network,
          const partition::Decomposition& decomposition, const physics::Unions& unions);
     Coat(const Coat&) = delete;
@@ -55,7 +56,8 @@ public:
     /// Counts over all ranks after the last modification.
     [[nodiscard]] std::int64_t component_count() const { return components_.count(); }
     [[nodiscard]] std::int64_t fragment_count() const { return fragments_.count(); }
-    /// Rest area of the opened interior faces over all ranks, each counted once, m2.
+    /// Rest area of the interior faces that have opened since construction, without the notched ones, over all ranks,
+    /// each face counted once, m2.
     [[nodiscard]] double crack_area() const;
     /// The largest `count` fragments over all ranks, largest first, ties in ascending order of ids. Valid on the root
     /// only. Collective.

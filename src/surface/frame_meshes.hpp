@@ -14,7 +14,7 @@ namespace cracksim::surface {
 
 enum class Faces { all_free, crack_only };
 
-/// The layouts of the meshes that the functions below return.
+/// The layouts of the meshes that the functions below return. GatheredSurface has the same fields as surface_layout.
 [[nodiscard]] MeshLayout surface_layout(const Block& block);
 [[nodiscard]] MeshLayout mass_layout(const Block& block);
 [[nodiscard]] MeshLayout topology_layout(const Block& block);

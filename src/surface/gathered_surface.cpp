@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 #include <variant>
 
 #include "core/contracts.hpp"
+#include "surface/frame_meshes.hpp"
 #include "surface/sorted_keys.hpp"
 
 namespace cracksim::surface {
@@ -16,19 +18,23 @@ enum Real : std::uint8_t { opened_at, opening };
 constexpr std::size_t first_real = 2;
 constexpr std::size_t corners = 4;
 
-geometry::Mesh empty_mesh() {
+geometry::Mesh empty_mesh(const Block& block) {
+    const MeshLayout layout = surface_layout(block);
+    CRACKSIM_EXPECT(layout.integer_names.size() == first_real);
     geometry::Mesh mesh;
-    mesh.fields = {{"entity", std::vector<std::int64_t>{}},
-                   {"fragment", std::vector<std::int64_t>{}},
-                   {"opened_at", std::vector<double>{}},
-                   {"opening", std::vector<double>{}}};
+    for (const std::string& name : layout.integer_names) {
+        mesh.fields.push_back({name, std::vector<std::int64_t>{}});
+    }
+    for (const std::string& name : layout.real_names) {
+        mesh.fields.push_back({name, std::vector<double>{}});
+    }
     return mesh;
 }
 
 }  // namespace
 
 GatheredSurface::GatheredSurface(const Block& block, std::size_t ranks)
-    : block_{block}, orders_(ranks), surface_{empty_mesh()}, crack_{empty_mesh()} {}
+    : block_{block}, orders_(ranks), surface_{empty_mesh(block)}, crack_{empty_mesh(block)} {}
 
 std::vector<double>& GatheredSurface::reals(std::size_t field) {
     return std::get<std::vector<double>>(surface_.fields[first_real + field].values);

@@ -28,21 +28,6 @@ using Dart = Id<struct DartTag, std::int64_t>;
 [[nodiscard]] constexpr int in_cell(Dart dart) { return static_cast<int>(dart.value() % Cell::darts); }
 [[nodiscard]] constexpr int face_of(Dart dart) { return Cell::face(in_cell(dart)); }
 
-/// The association of topology with physics (Riffet et al. 2018): each volume corner, orbit <alpha1, alpha2>, is one
-/// mass.
-[[nodiscard]] constexpr LocalMass mass_of(Dart dart) {
-    return local_mass(entity_of(dart), Cell::corner(in_cell(dart)));
-}
-/// The 6 darts of a mass's corner, in the order of the walk alpha1, alpha2, alpha1, ...
-[[nodiscard]] constexpr std::array<Dart, Cell::corner_darts> darts_of(LocalMass corner) {
-    std::array<Dart, Cell::corner_darts> darts;
-    std::size_t i = 0;
-    for (const int d : Cell::darts_at(corner_of(corner))) {
-        darts[i++] = dart_of(entity_of(corner), d);
-    }
-    return darts;
-}
-
 /// The masses at the corners of a face, in the order of its cycle (counter-clockwise from outside).
 [[nodiscard]] constexpr std::array<LocalMass, Cell::face_corners> corners_of(LocalEntity entity, int face) {
     std::array<LocalMass, Cell::face_corners> corners;

@@ -24,7 +24,6 @@ public:
     }
 
     [[nodiscard]] constexpr bool is_boundary() const { return code_ == -1; }
-    [[nodiscard]] constexpr bool is_remote() const { return code_ == -2; }
     [[nodiscard]] constexpr bool is_local() const { return code_ >= 0; }
 
     /// The entity on the other side. Requires is_local(), as do face() and rotation().

@@ -35,9 +35,6 @@ template <int... I>
     return darts;
 }
 
-[[nodiscard]] inline DartOrbit edge_orbit(const GMap& map, Dart start) { return orbit<0, 2, 3>(map, start); }
-[[nodiscard]] inline DartOrbit face_orbit(const GMap& map, Dart start) { return orbit<0, 1, 3>(map, start); }
-
 /// The volume corners of the vertex orbit <alpha1, alpha2, alpha3>, in breadth-first order from `start`. The masses of
 /// one topological vertex share one Mass-union. The orbit of an owned entity's corner is complete once the halo
 /// entities have their owners' sewn masks.

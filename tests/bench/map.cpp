@@ -16,6 +16,7 @@
 #include "core/block.hpp"
 #include "geometry/free_faces.hpp"
 #include "tests/bench/cgal_map.hpp"
+#include "tests/support/darts.hpp"
 #include "tests/support/whole_labels.hpp"
 #include "topology/construct.hpp"
 #include "topology/orbits.hpp"
@@ -156,7 +157,7 @@ void walk_corners(benchmark::State& state) {
     for ([[maybe_unused]] auto _ : state) {
         std::int64_t sum = 0;
         for (LocalMass m{0}; m.value() < map.entity_count() * Cell::corners; ++m) {
-            for (const Dart dart : darts_of(m)) {
+            for (const Dart dart : test::darts_of(m)) {
                 sum += dart.value();
             }
         }
@@ -186,7 +187,7 @@ void walk_vertices(benchmark::State& state) {
         std::int64_t sum = 0;
         for_each_vertex(map, [&](const CornerOrbit& corners) {
             for (const LocalMass corner : corners) {
-                for (const Dart dart : darts_of(corner)) {
+                for (const Dart dart : test::darts_of(corner)) {
                     sum += dart.value();
                 }
             }

@@ -58,6 +58,31 @@ TEST(EstimatedLoads, AreWithinAQuarterOfMetisParts) {
     EXPECT_PRED2(near, estimated.sent_unions, world().sum(found.sent_unions));
 }
 
+/// Notches along all planes between the layers of entities normal to x, so that no two layers share a union.
+std::string notches_between_layers(int layers) {
+    std::string text = "notches: [";
+    for (int i = 1; i < layers; ++i) {
+        text += "{where: {rectangle: {corner: [" + std::to_string(0.01 * i) + ", -1, -1], along: [0, 2, 0], " +
+                "and: [0, 0, 2]}}}, ";
+    }
+    return text + "]";
+}
+
+TEST(ModelBytes, CountNotchesAsBrokenFaces) {
+    const scene::Scene scene =
+        scene_of("[20, 16, 12]", "metis", "cordis",
+                 "threshold: 0.02}\n" + notches_between_layers(20) + "\noutput: {topology: false");
+    dynamics::Stopwatch stopwatch;
+    const Simulation simulation{world(), scene, scene::certify_step(scene), stopwatch};
+    const dynamics::Dynamics& dynamics = simulation.dynamics();
+    const forecast::RankCounts counts = forecast::count_rank(dynamics, simulation.coat());
+    EXPECT_GT(counts.notched_faces, 0);
+    const auto held = static_cast<double>(dynamics.memory_bytes() + simulation.coat().memory_bytes());
+    const double model = forecast::model_bytes(scene, counts, 0);
+    EXPECT_LT(model, 1.3 * held);
+    EXPECT_GT(model, 0.85 * held);
+}
+
 TEST(ModelBytes, AreWhatNetworkStateAndMapHold) {
     const std::vector<std::pair<const char*, const char*>> cases{{"cordis", "threshold: 0.02"},
                                                                  {"ab2", "threshold: 0.02"},

@@ -260,8 +260,8 @@ FORM = [
         ":14:55: notches.0.where.rectangle.along: needs a list of 3 values, not of 4; put an expression that holds "
         "commas in quotes"),
     notch("side of length 0", RECTANGLE.replace("[0, 0.02, 0]", "[0, 0, 0]"),
-        ":14:12: notches.0.where: 'notch 0' encloses no area: its corners lie on a line, or its sides "
-        "cross; give each corner once, in order around it"),
+        ":14:12: notches.0.where: 'notch 0' encloses no area: its two sides are parallel, or one of "
+        "them has length 0"),
     notch("infinite side", RECTANGLE.replace("[0, 0, 2]", "[0, 0, .inf]"),
         ":14:88: notches.0.where.rectangle.and.2: needs a number, not '.inf'; it must be finite"),
     notch("text in a side", RECTANGLE.replace("[0, 0, 2]", "[0, 0, up]"),

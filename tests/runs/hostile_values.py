@@ -185,11 +185,11 @@ MEANING = [
         ":14:101: notches.1.where: 'b' lies outside of the block: the notch lies at x = 1 m, the block "
         "reaches from x = 0 to 0.04 m; move the notch"),
     notch("sides that are parallel", RECTANGLE.replace("[0, 0, 2]", "[0, -0.04, 0]"),
-        ":14:12: notches.0.where: 'notch 0' encloses no area: its corners lie on a line, or its sides "
-        "cross; give each corner once, in order around it"),
+        ":14:12: notches.0.where: 'notch 0' encloses no area: its two sides are parallel, or one of "
+        "them has length 0"),
     notch("side lost beside the other", RECTANGLE.replace("[0, 0, 2]", "[0, 0, 1e-300]"),
-        ":14:12: notches.0.where: 'notch 0' encloses no area: its corners lie on a line, or its sides "
-        "cross; give each corner once, in order around it"),
+        ":14:12: notches.0.where: 'notch 0' encloses no area: its two sides are parallel, or one of "
+        "them has length 0"),
     notch("corner in quotes", RECTANGLE.replace("0.02, 0, -1", "\"0.02\", 0, -1"),
         ":14:41: notches.0.where.rectangle.corner.0: needs a number, not '0.02' as a text; remove the quotes"),
     notch("corner far away", RECTANGLE.replace("[0.02, 0, -1]", "[1e300, 0, -1]"),
@@ -219,8 +219,8 @@ MEANING = [
         ":14:12: notches.0.where: 'notch 0' encloses no area: its corners lie on a line, or its sides "
         "cross; give each corner once, in order around it"),
     notch("polygon that is not plane", "polygon: [[0.02, 0, 0], [0.02, 0.03, 0], [0.03, 0.03, 0.02], [0.02, 0, 0.02]]",
-        ":14:12: notches.0.where: 'notch 0' is not plane: corner 1 lies 0.00479 m off the plane through "
-        "corner 0; move it into the plane"),
+        ":14:12: notches.0.where: 'notch 0' is not plane: corner 1 lies 0.00479 m off the mean plane "
+        "through corner 0; move the corners into one plane"),
     notch("polygon of sides that cross",
         "polygon: [[0.02, 0, 0], [0.02, 0.03, 0], [0.02, 0.01, 0.02], [0.02, 0.03, 0.02], [0.02, 0, -1]]",
         ":14:12: notches.0.where: 'notch 0' has sides that cross or touch each other; give each corner "

@@ -21,6 +21,7 @@ struct SensedPair {
 
 /// True if the sensor's stretch exceeds the threshold s: with D = D0 + dU from Q to P and R0 = |D0|,
 ///     |D| - R0 = ((2 D0 + dU).dU) / (|D| + R0) > s R0.
+/// The prefilter relies on this criterion: lattice/sensing_limits bounds it by the strains of edges.
 [[nodiscard]] bool triggers(const Network& network, const State& state, LocalDuplet d);
 
 /// on: evaluate only the sensors of Engine::may_trigger. off: evaluate all. Both give the same duplets.

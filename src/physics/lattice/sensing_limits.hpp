@@ -23,8 +23,8 @@ namespace cracksim::physics {
 void set_sensing_limits(const Network& network, const State& state, const SharedEdges& shared_edges, VertexSite lower,
                         int axis, EdgeLimits& limits);
 
-/// Calls action(duplet, end, entity) for the active duplets whose sensors reach over the edge of a copy. These are the
-/// duplets at the lower end (0) and then at the upper end (1) of each copy merged with it, across the face normal to
+/// Calls action(duplet, end, entity) for the active duplets whose sensors reach over an edge; `here` is one copy of the
+/// edge, that of one entity. These are the duplets at the lower end (0) and then at the upper end (1) of each copy merged with it, across the face normal to
 /// the edge. entity: that of the copy.
 void for_each_sensor(const Network& network, const State& state, const EdgeCopies& copies, const EdgeCopy& here,
                      auto&& action) {

@@ -49,8 +49,20 @@ double distance(Point2 at, Point2 a, Point2 b) {
     return std::hypot(from[0] - along * side[0], from[1] - along * side[1]);
 }
 
+/// True if the bounding boxes of two segments, widened by the tolerance, have no point in common.
+bool boxes_are_apart(Point2 a, Point2 b, Point2 c, Point2 d, double tolerance) {
+    const auto apart = [&](std::size_t axis) {
+        return std::max(a[axis], b[axis]) + tolerance < std::min(c[axis], d[axis]) ||
+               std::max(c[axis], d[axis]) + tolerance < std::min(a[axis], b[axis]);
+    };
+    return apart(0) || apart(1);
+}
+
 /// True if two segments have a point in common.
 bool segments_meet(Point2 a, Point2 b, Point2 c, Point2 d, double tolerance) {
+    if (boxes_are_apart(a, b, c, d, tolerance)) {
+        return false;
+    }
     const double c_side = cross2(minus(b, a), minus(c, a));
     const double d_side = cross2(minus(b, a), minus(d, a));
     const double a_side = cross2(minus(d, c), minus(a, c));
@@ -116,7 +128,7 @@ PlanarSurface PlanarSurface::polygon(std::span<const Vec3> corners, double scale
         const double off = std::abs(surface.height(corners[i]));
         if (off > flatness * size) {
             throw std::invalid_argument{"is not plane: corner " + std::to_string(i) + " lies " + rounded(off, 3) +
-                                        " m off the plane through corner 0; move it into the plane"};
+                                        " m off the mean plane through corner 0; move the corners into one plane"};
         }
         surface.outline_.push_back(surface.in_plane(corners[i]));
     }
@@ -128,6 +140,10 @@ PlanarSurface PlanarSurface::polygon(std::span<const Vec3> corners, double scale
 }
 
 PlanarSurface PlanarSurface::rectangle(Vec3 corner, Vec3 along, Vec3 across, double scale) {
+    const double longest = std::max(norm(along), norm(across));
+    if (!(norm(cross(along, across)) > tolerance_of_scale * scale * longest)) {
+        throw std::invalid_argument{"encloses no area: its two sides are parallel, or one of them has length 0"};
+    }
     const std::array<Vec3, 4> corners{corner, corner + along, corner + along + across, corner + across};
     return polygon(corners, scale);
 }

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "core/vec3.hpp"
@@ -24,7 +22,8 @@ public:
     /// std::invalid_argument with the reason if the polygon is degenerate: fewer than three corners, no area, corners
     /// off the plane, or sides that cross.
     [[nodiscard]] static PlanarSurface polygon(std::span<const Vec3> corners, double scale);
-    /// A parallelogram, given by a corner and two sides. Its normal points along the cross product of the sides.
+    /// A parallelogram, given by a corner and two sides. Its normal points along the cross product of the sides. Throws
+    /// std::invalid_argument with the reason if the sides enclose no area.
     [[nodiscard]] static PlanarSurface rectangle(Vec3 corner, Vec3 along, Vec3 across, double scale);
 
     /// True if the two points are on different sides of the plane and the line between them crosses the surface.

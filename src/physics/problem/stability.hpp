@@ -8,7 +8,8 @@ namespace cracksim::physics {
 
 enum class Scheme { cordis, ab2 };
 
-/// The largest time step at which no motion grows exponentially, in any split state and any deformation of the network.
+/// The largest time step at which no motion of the linear network grows exponentially, in any split state. Without
+/// damping, this holds in any deformation; with damping, it is measured for strong deformations (README.md).
 struct StepBound {
     double step;        ///< s
     std::string cause;  ///< the quantity that limits the step: "stiffness" or "viscosity"
@@ -16,9 +17,9 @@ struct StepBound {
 
 /// Computes the bound from the spectrum of one entity: the largest dt with lambda_max(dt^2 K + c dt Z) < 4 m. c is 2
 /// (cordis) or 4 (ab2); K and Z are the graph Laplacians of stiffness and viscosity. Their Rayleigh quotients bound
-/// those of the entity in any deformation (an entity folded flat attains them). Tying masses only restricts the
-/// quotient, and splitting only relaxes it back to that of one entity. The bound is sharp for the linear network; see
-/// README.md of src/physics.
+/// those of the entity in any deformation (an entity folded flat attains them). A block of
+/// tied entities has no larger eigenvalue than its entities alone, so the bound holds before and after any split. It is
+/// sharp for the linear network; see README.md of src/physics.
 [[nodiscard]] StepBound step_bound(const EntityModel& model, Scheme scheme);
 
 /// The step for `time.step: auto`: 0.9 of the bound, or 0.5 without viscosity (undamped scenes heat slowly below the

@@ -14,7 +14,8 @@
 namespace cracksim::physics {
 
 /// The state at the current step. For each Mass-union: u, the displacement from rest, and w, the last increment, in m.
-/// The state holds all data that a continuation needs and no data that follow from them.
+/// The state holds all data that a continuation needs. Unions, held unions and the layout of the motion follow from the
+/// active duplets, and forces from the motion; they are kept because every step needs them.
 struct State {
     /// A body at rest with this fracture. The unions of received masses count as whole until the parts that their
     /// owners send are set (fracture/received_parts.hpp).

@@ -35,7 +35,7 @@ TEST(Construct, OfSomeEntitiesLinksWhatTheWholeBlockLinks) {
                 const auto neighbour = block.neighbour(local[e], f);
                 const bool is_here = neighbour && std::count(local.begin(), local.end(), neighbour->entity) == 1;
                 EXPECT_EQ(link.is_boundary(), !neighbour);
-                EXPECT_EQ(link.is_remote(), neighbour && !is_here);
+                EXPECT_EQ(link == FaceLink::remote(), neighbour && !is_here);
                 if (is_here) {
                     EXPECT_EQ(local[link.entity().index()], neighbour->entity);
                     EXPECT_EQ(link.face(), neighbour->face);

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <map>
 
+#include "tests/support/darts.hpp"
+
 namespace cracksim::topology {
 namespace {
 
@@ -13,15 +15,15 @@ TEST(Dart, CornersAndMassesAreABijection) {
     constexpr int entities = 5;
     std::map<LocalMass, int> darts_met;
     for (Dart d{0}; d.value() < entities * Cell::darts; ++d) {
-        const auto around = darts_of(mass_of(d));
+        const auto around = test::darts_of(test::mass_of(d));
         EXPECT_EQ(std::count(around.begin(), around.end(), d), 1);
-        ++darts_met[mass_of(d)];
+        ++darts_met[test::mass_of(d)];
     }
     EXPECT_EQ(darts_met.size(), static_cast<std::size_t>(entities * Hexahedron::corners));
     for (const auto& [mass, darts] : darts_met) {
         EXPECT_EQ(darts, 6);
-        for (const Dart d : darts_of(mass)) {
-            EXPECT_EQ(mass_of(d), mass);
+        for (const Dart d : test::darts_of(mass)) {
+            EXPECT_EQ(test::mass_of(d), mass);
         }
     }
 }
@@ -31,7 +33,7 @@ TEST(Dart, KnowsItsEntityAndFace) {
     EXPECT_EQ(d.value(), 3 * 48 + 4 * 8 + 2 * 2 + 1);
     EXPECT_EQ(entity_of(d), LocalEntity{3});
     EXPECT_EQ(face_of(d), 4);
-    EXPECT_EQ(mass_of(d), corners_of(LocalEntity{3}, 4)[3]);
+    EXPECT_EQ(test::mass_of(d), corners_of(LocalEntity{3}, 4)[3]);
 }
 
 TEST(Dart, IsWideEnoughForAnyLocalEntity) {

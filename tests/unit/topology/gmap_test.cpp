@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/darts.hpp"
 #include "tests/unit/topology/sample_blocks.hpp"
 #include "topology/validity.hpp"
 
@@ -31,8 +32,8 @@ TEST(GMap, Alpha3MeetsTheCornerThatTheRotationNames) {
             for (int k = 0; k < 4; ++k) {
                 const auto met = corners_of(LocalEntity{1}, f)[static_cast<std::size_t>((r - k + 4) % 4)];
                 EXPECT_EQ(corner_met(map.link(LocalEntity{0}, 1), k), met);
-                EXPECT_EQ(mass_of(map.alpha(3, dart_of(LocalEntity{0}, 1, k, 0))), met);
-                EXPECT_EQ(mass_of(map.alpha(3, dart_of(LocalEntity{0}, 1, (k + 3) % 4, 1))), met);
+                EXPECT_EQ(test::mass_of(map.alpha(3, dart_of(LocalEntity{0}, 1, k, 0))), met);
+                EXPECT_EQ(test::mass_of(map.alpha(3, dart_of(LocalEntity{0}, 1, (k + 3) % 4, 1))), met);
             }
         }
     }
@@ -49,7 +50,9 @@ TEST(GMap, Alpha3OfAFreeFaceIsTheDartItself) {
 TEST(GMap, Alpha3KeepsTheGeometricVertex) {
     const Block block = sample::block(4, 3, 2);
     const GMap map = sample::whole(block);
-    const auto vertex = [&](Dart d) { return block.vertex(EntityId{entity_of(d).value()}, corner_of(mass_of(d))); };
+    const auto vertex = [&](Dart d) {
+        return block.vertex(EntityId{entity_of(d).value()}, corner_of(test::mass_of(d)));
+    };
     for (Dart d{0}; d.value() < map.dart_count(); ++d) {
         EXPECT_EQ(vertex(map.alpha(3, d)), vertex(d));
         EXPECT_EQ(vertex(map.alpha(0, map.alpha(3, d))), vertex(map.alpha(0, d)));

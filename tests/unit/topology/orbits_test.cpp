@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "tests/support/darts.hpp"
 #include "tests/unit/topology/sample_blocks.hpp"
 
 namespace cracksim::topology {
@@ -30,7 +31,7 @@ TEST(Orbit, CornerIsTheTablesSixDarts) {
     const GMap map = sample::whole(sample::block(2, 2, 2));
     for (Dart d{0}; d.value() < map.dart_count(); ++d) {
         const auto corner = orbit<1, 2>(map, d);
-        EXPECT_EQ(as_set(corner), as_set(darts_of(mass_of(d))));
+        EXPECT_EQ(as_set(corner), as_set(test::darts_of(test::mass_of(d))));
     }
 }
 
@@ -39,10 +40,10 @@ TEST(Orbit, SizesInTheMiddleOfABlock) {
     const GMap map = sample::whole(block);
     const Dart inner = dart_of(LocalEntity{13}, 0, 0, 0);
     EXPECT_EQ((orbit<1, 2, 3>(map, inner).size()), 48U);
-    EXPECT_EQ(edge_orbit(map, inner).size(), 16U);
-    EXPECT_EQ(face_orbit(map, inner).size(), 16U);
+    EXPECT_EQ(test::edge_orbit(map, inner).size(), 16U);
+    EXPECT_EQ(test::face_orbit(map, inner).size(), 16U);
     EXPECT_EQ((orbit<0, 1, 2>(map, inner).size()), 48U);
-    EXPECT_EQ(vertex_corners(map, mass_of(inner)).size(), 8U);
+    EXPECT_EQ(vertex_corners(map, test::mass_of(inner)).size(), 8U);
 }
 
 TEST(Orbit, VerticesEdgesAndFacesOfAnIntactBlockAreTheGrids) {
@@ -53,8 +54,8 @@ TEST(Orbit, VerticesEdgesAndFacesOfAnIntactBlockAreTheGrids) {
         std::set<Dart> faces;
         for (Dart d{0}; d.value() < map.dart_count(); ++d) {
             vertices.insert(*as_set(orbit<1, 2, 3>(map, d)).begin());
-            edges.insert(*as_set(edge_orbit(map, d)).begin());
-            faces.insert(*as_set(face_orbit(map, d)).begin());
+            edges.insert(*as_set(test::edge_orbit(map, d)).begin());
+            faces.insert(*as_set(test::face_orbit(map, d)).begin());
         }
         const auto [nx, ny, nz] = block.cells();
         EXPECT_EQ(static_cast<std::int64_t>(vertices.size()), block.vertex_count());
@@ -68,8 +69,8 @@ TEST(VertexCorners, AreTheCornersOfTheVertexOrbit) {
     for_random_maps([](const GMap& map) {
         for (LocalMass m{0}; m.value() < map.entity_count() * Hexahedron::corners; ++m) {
             std::set<LocalMass> expected;
-            for (const Dart d : orbit<1, 2, 3>(map, darts_of(m)[0])) {
-                expected.insert(mass_of(d));
+            for (const Dart d : orbit<1, 2, 3>(map, test::darts_of(m)[0])) {
+                expected.insert(test::mass_of(d));
             }
             const CornerOrbit corners = vertex_corners(map, m);
             EXPECT_EQ(as_set(corners), expected);
@@ -119,7 +120,7 @@ TEST(NextFree, EachEdgeOfAFreeFaceIsMetByExactlyTwoFreeFaces) {
                 continue;
             }
             std::set<Dart> free_darts;
-            for (const Dart at : edge_orbit(map, d)) {
+            for (const Dart at : test::edge_orbit(map, d)) {
                 if (map.is_free(at)) {
                     free_darts.insert(at);
                 }
