@@ -89,7 +89,7 @@ std::array<std::int64_t, 2> expect_bitwise_continuation(const Problem& problem, 
 
 TEST(Continuation, FromFractureAndMotionsIsBitwiseInDrawnScenes) {
     std::array<std::int64_t, 2> seen{};
-    for (std::uint64_t seed = 1; seed <= (test::is_quick ? 4 : 24); ++seed) {
+    for (std::uint64_t seed = 1; seed <= (test::is_quick ? 8 : 24); ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         const std::string precision = seed % 2 == 0 ? "double" : "single";
         const scene::Scene scene =
