@@ -21,21 +21,21 @@ public:
 
     /// alpha_i of a dart of the cell; i is 0, 1 or 2.
     static constexpr int alpha(int i, int dart) {
-        return tables_.alpha[static_cast<std::size_t>(i)][static_cast<std::size_t>(dart)];
+        return tables.alpha[static_cast<std::size_t>(i)][static_cast<std::size_t>(dart)];
     }
-    static constexpr int corner(int dart) { return tables_.corner[static_cast<std::size_t>(dart)]; }
+    static constexpr int corner(int dart) { return tables.corner[static_cast<std::size_t>(dart)]; }
     /// The orbit <alpha1, alpha2> of a corner, in the order of the walk alpha1, alpha2, alpha1, ... from the corner's
     /// smallest dart.
     static constexpr const std::array<int, std::size_t{corner_darts}>& darts_at(int corner) {
-        return tables_.darts_at[static_cast<std::size_t>(corner)];
+        return tables.darts_at[static_cast<std::size_t>(corner)];
     }
     /// The faces that meet at a corner, in ascending order, each with the corner's position in the face's cycle.
     static constexpr const std::array<FacePlace, std::size_t{corner_faces}>& faces_at(int corner) {
-        return tables_.faces_at[static_cast<std::size_t>(corner)];
+        return tables.faces_at[static_cast<std::size_t>(corner)];
     }
 
 private:
-    static constexpr CellTables<Shape> tables_ = make_cell_tables<Shape>();
+    static constexpr CellTables<Shape> tables = make_cell_tables<Shape>();
 };
 
 /// True if alpha_i is an involution without fixed point.
