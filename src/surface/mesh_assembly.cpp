@@ -30,8 +30,8 @@ std::vector<Record> filed(const partition::Communicator& comm, const std::vector
         std::ranges::move(part, std::back_inserter(all));
     }
     std::ranges::sort(all, {}, &Record::key);
-    const auto repeated = std::ranges::unique(all, {}, &Record::key);
-    all.erase(repeated.begin(), repeated.end());
+    const auto same = [](const Record& a, const Record& b) { return a.key == b.key; };
+    all.erase(std::unique(all.begin(), all.end(), same), all.end());
     return all;
 }
 
@@ -69,8 +69,7 @@ Keys connectivity(const partition::Communicator& comm, const MeshLayout& layout,
     }
     Keys keys = wanted;
     std::ranges::sort(keys);
-    const auto repeated = std::ranges::unique(keys);
-    keys.erase(repeated.begin(), repeated.end());
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
     const Keys numbers = numbers_of(comm, layout, points, keys);
     std::ranges::transform(wanted, wanted.begin(), [&](std::int64_t key) {
         return numbers[static_cast<std::size_t>(std::ranges::lower_bound(keys, key) - keys.begin())];
