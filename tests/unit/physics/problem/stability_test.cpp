@@ -11,8 +11,9 @@
 namespace cracksim::physics {
 namespace {
 
-/// The bound of a hexahedron in closed form, dt^2 (6 k1 + 2 k3) + c dt (6 z1 + 2 z3) = 4 m with c = 2 (cordis) or 4 (ab2), edges
-/// k1, z1 and diagonals k3, z3: the positive root, in s.
+/// The bound of a hexahedron in closed form, s: the positive root dt of
+///     dt^2 (6 k1 + 2 k3) + c dt (6 z1 + 2 z3) = 4 m,
+/// with c = 2 (cordis) or 4 (ab2), edges k1, z1 and diagonals k3, z3.
 double closed_bound(double corner_mass, KelvinVoigt edges, KelvinVoigt diagonals, Scheme scheme) {
     const double a = (6 * edges.stiffness + 2 * diagonals.stiffness) / corner_mass;
     const double c = scheme == Scheme::cordis ? 2 : 4;
