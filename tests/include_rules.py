@@ -58,6 +58,7 @@ LIBRARIES = {
     "spdlog/": ["io"],
     "CLI/": ["simulation"],
     "Eigen/": ["physics"],
+    "unsupported/Eigen/": ["physics"],
     "hwy/": ["physics"],
     "gtest/": [],
     "gmock/": [],
