@@ -99,7 +99,7 @@ TEST(MotionExchange, BringsTheOwnersIncrementsAsUnionsFallApart) {
                 exchange.next_increments(part.network, part.state, part.engine, stopwatch);
             const std::map<MassId, Vec3> expected = next_increments_of_all(part);
             for (std::size_t row = 0; row < part.state.lattice().vertex_rows().size(); ++row) {
-                for (const auto& [id, mass] : part.engine.caches().received.in_row(row)) {
+                for (const auto& [id, mass] : part.engine.caches().rows.received.in_row(row)) {
                     EXPECT_EQ(received[mass], expected.at(part.network.mass(part.network.received()[mass])));
                 }
             }

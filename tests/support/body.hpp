@@ -8,17 +8,19 @@
 #include "physics/fracture/split.hpp"
 #include "physics/lattice/lattice_engine.hpp"
 #include "physics/problem/network.hpp"
+#include "physics/standard/standard_engine.hpp"
 #include "physics/start.hpp"
 #include "physics/state/state.hpp"
 
 namespace cracksim::test {
 
 /// A state and the engine that serves it, all on one rank. Copies are independent of each other.
-class Body {
+template <class EngineOfBody>
+class BodyOf {
 public:
     /// body_network must outlive this.
-    Body(const physics::Network& body_network, physics::Scheme scheme, double step_size,
-         physics::Precision precision = physics::Precision::binary64, const physics::Fracture& fracture = {})
+    BodyOf(const physics::Network& body_network, physics::Scheme scheme, double step_size,
+           physics::Precision precision = physics::Precision::binary64, const physics::Fracture& fracture = {})
         : network{&body_network},
           state{body_network, scheme, step_size, precision, fracture},
           engine{body_network, state} {}
@@ -44,8 +46,10 @@ public:
 
     const physics::Network* network;
     physics::State state;
-    physics::LatticeEngine engine;
+    EngineOfBody engine;
     physics::Swept swept;  ///< of the last sweep
 };
+using Body = BodyOf<physics::LatticeEngine>;
+using StandardBody = BodyOf<physics::StandardEngine>;
 
 }  // namespace cracksim::test

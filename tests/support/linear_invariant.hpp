@@ -19,10 +19,10 @@ inline double linear_invariant(const physics::Network& network, const physics::S
         }
         for (std::size_t i = 0; i < physics::HexahedronPairs::count; ++i) {
             const auto [a, b] = physics::HexahedronPairs::corners[i];
-            const Vec3 n = (1 / network.model().rest_length[i]) * network.model().rest[i];
+            const Vec3 n = (1 / network.model().paper().rest_length[i]) * network.model().paper().rest[i];
             const double w = dot(n, state.increment(id(b)) - state.increment(id(a)));
             const double u = dot(n, state.displacement(id(b)) - state.displacement(id(a)));
-            const auto& [k, z] = network.model().interaction[i];
+            const auto& [k, z] = network.model().paper().interaction[i];
             const double mean = u - 0.5 * w;
             sum += 0.5 * (k * mean * mean - 0.25 * k * w * w - 0.5 * z / dt * w * w);
         }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,13 +18,17 @@ struct SerialBlock {
     double corner_mass{0.125};
     physics::KelvinVoigt edges{0.2, 0.04};
     physics::KelvinVoigt diagonals{0.3, 0.06};
+    std::optional<physics::Solid> solid{};  ///< of standard entities; none: entities of the paper's network
     physics::DupletKind duplets{physics::DupletKind::corners};
     physics::Thresholds thresholds{[](Vec3) { return 0.02; }, std::nullopt};
     std::vector<physics::Support> supports{};
     std::vector<physics::Notch> notches{};
 
     [[nodiscard]] Block block() const { return {cells, edge, {0, 0, 0}}; }
-    [[nodiscard]] physics::EntityModel model() const { return {edge, corner_mass, edges, diagonals}; }
+    [[nodiscard]] physics::EntityModel model() const {
+        return solid ? physics::EntityModel{physics::StandardEntity{*solid, edge}}
+                     : physics::EntityModel{edge, corner_mass, edges, diagonals};
+    }
     [[nodiscard]] physics::Network network() const { return network_with_halo(0, cells[0]); }
     /// The network of all entities; those with first <= x < last are owned.
     [[nodiscard]] physics::Network network_with_halo(std::int64_t first, std::int64_t last) const {

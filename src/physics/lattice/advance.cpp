@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/contracts.hpp"
-#include "physics/lattice/force_sweep.hpp"
 #include "physics/lattice/sweep/advance_rows.hpp"
 #include "physics/state/prescribed_motion.hpp"
 
@@ -15,13 +14,6 @@ namespace cracksim::physics {
 namespace {
 
 constexpr double longest_increment_in_edges = 100;
-
-/// The motion of a held or received union before a step. The motion is corrected after the step of its row.
-struct Before {
-    LocalUnion local_union;
-    Vec3 displacement;
-    Vec3 increment;
-};
 
 double longest_increment(const Network& network) {
     const Vec3 edge = network.block().edge();
@@ -33,25 +25,6 @@ void extrapolate(State& state, LocalUnion s, Vec3 now, Vec3 before) {
     if (state.scheme == Scheme::ab2) {
         state.set_velocity_increment(s, state.motion.rounded(1.5 * now) - state.motion.rounded(0.5 * before));
     }
-}
-
-/// Replaces the held components by the prescribed ones and adds the work of the support's force on the union.
-void correct_held(const Network& network, State& state, const Before& before) {
-    const Vec3 free = state.increment(before.local_union);
-    const Vec3 w = state.motion.rounded(prescribed(network, state, before.local_union, free, 0.5));
-    state.set_increment(before.local_union, w);
-    state.set_displacement(before.local_union, before.displacement + w);
-    extrapolate(state, before.local_union, w, before.increment);
-    if (network.owned(entity_of(state.unions.smallest_mass(before.local_union)))) {
-        const Vec3 support_force = (1.0 / state.dt2_over_mass(before.local_union)) * (w - free);
-        state.held.work += 0.5 * dot(support_force, w + before.increment);
-    }
-}
-
-void correct_received(State& state, const Before& before, Vec3 increment) {
-    state.set_increment(before.local_union, increment);
-    state.set_displacement(before.local_union, before.displacement + increment);
-    extrapolate(state, before.local_union, increment, before.increment);
 }
 
 bool is_within(Vec3 w, double longest) {
@@ -85,154 +58,135 @@ constexpr std::array<unsigned, Lattice::sides> layers_by_side = [] {
     return found;
 }();
 
-/// Advances rows of vertices. Each layer of a row is advanced just before the sweep of the first row of entities that
-/// meets its unions: the row of their smallest masses, or the first row that meets the vertices if the former row is
-/// not local or the layer is the base layer. So advance and forces load the numbers into the caches only once.
-class Advancer {
-public:
-    Advancer(const Network& network, State& state, const LatticeCaches& caches, std::span<const Vec3> received)
-        : network_{&network},
-          state_{&state},
-          caches_{&caches},
-          received_{received},
-          longest_{longest_increment(network)} {}
-
-    /// Advances the layers that a row of entities meets first.
-    void advance_before(std::size_t cell_row) {
-        for (std::size_t side = 0; side < Lattice::sides; ++side) {
-            const std::int32_t row = state_->lattice().cell_rows()[cell_row].vertex_row[side];
-            if (const unsigned first = met_first(static_cast<std::size_t>(row), cell_row, side); first != 0) {
-                advance_layers_of(static_cast<std::size_t>(row), first);
-            }
-        }
-    }
-
-    /// True if an increment is not finite or too long.
-    [[nodiscard]] bool failed() const { return failed_; }
-
-private:
-    /// The layers of corners on a side, without the base layer, if the pool has unions of this row and side; else none.
-    [[nodiscard]] unsigned layers_in_pool(std::size_t row, std::size_t side) const {
-        const bool any = state_->motion.first_pooled(row, side) != PoolPlace{};
-        return any ? layers_by_side[side] & ~bit_of(base_layer) : 0U;
-    }
-
-    /// The layers of a row of vertices that must be advanced before a row of entities that has this row on a side.
-    [[nodiscard]] unsigned met_first(std::size_t row, std::size_t cell_row, std::size_t side) const {
-        const Lattice::VertexRow& vertices = state_->lattice().vertex_rows()[row];
-        unsigned first = layers_in_pool(row, side);
-        if (static_cast<std::size_t>(vertices.first_cell_row()) == cell_row) {
-            first |= bit_of(base_layer);
-            for (std::size_t other = 0; other < Lattice::sides; ++other) {
-                first |= vertices.cell_row[other] < 0 ? layers_in_pool(row, other) : 0U;
-            }
-        }
-        return first;
-    }
-
-    void advance_layers_of(std::size_t row, unsigned met) {
-        remember(row, met);
-        if (state_->motion.precision() == Precision::binary32) {
-            advance_in<float>(row, met);
-        } else {
-            advance_in<double>(row, met);
-        }
-        correct(row, met);
-    }
-
-    template <class Real>
-    void advance_in(std::size_t row, unsigned met) {
-        const Lattice::VertexRow& vertices = state_->lattice().vertex_rows()[row];
-        const auto first = static_cast<std::size_t>(vertices.first);
-        const auto length = static_cast<std::size_t>(vertices.length);
-        Motion& motion = state_->motion;
-        AdvanceView<Real> view{motion.in<Real>().base() + first,
-                               motion.base_stride(),
-                               (met & bit_of(base_layer)) != 0 ? length : 0,
-                               motion.in<Real>().pool(),
-                               motion.pool_stride(),
-                               find_pooled(row, met),
-                               motion.next_pooled(),
-                               state_->scheme == Scheme::ab2,
-                               longest_,
-                               failed_};
-        advance_layers(view);
-        failed_ = view.failed;
-    }
-
-    [[nodiscard]] std::array<PoolPlace, Lattice::sides> find_pooled(std::size_t row, unsigned met) const {
-        std::array<PoolPlace, Lattice::sides> found;
-        for (std::size_t side = 0; side < Lattice::sides; ++side) {
-            if ((met & layers_by_side[side] & ~bit_of(base_layer)) != 0) {
-                found[side] = state_->motion.first_pooled(row, side);
-            }
-        }
-        return found;
-    }
-
-    /// Calls action(union) for the held unions of some layers.
-    void for_each_held(std::size_t row, unsigned met, auto&& action) {
-        for (const std::size_t i : caches_->held_in_row[row]) {
-            const LocalUnion held = state_->held.all()[i].local_union;
-            if ((met & bit_of(layer_of(held))) != 0) {
-                action(held);
-            }
-        }
-    }
-    /// Calls action(union, increment) for the received unions of some layers.
-    void for_each_received(std::size_t row, unsigned met, auto&& action) {
-        for (const auto& [id, mass] : caches_->received.in_row(row)) {
-            if ((met & bit_of(layer_of(id))) != 0) {
-                action(id, received_[mass]);
-            }
-        }
-    }
-
-    void remember(std::size_t row, unsigned met) {
-        before_.clear();
-        const auto keep = [&](LocalUnion s) { before_.push_back({s, state_->displacement(s), state_->increment(s)}); };
-        for_each_held(row, met, keep);
-        held_count_ = before_.size();
-        for_each_received(row, met, [&](LocalUnion id, Vec3) { keep(id); });
-    }
-
-    void correct(std::size_t row, unsigned met) {
-        for (std::size_t i = 0; i < held_count_; ++i) {
-            correct_held(*network_, *state_, before_[i]);
-            failed_ = failed_ || !is_within(state_->increment(before_[i].local_union), longest_);
-        }
-        auto before = before_.cbegin() + static_cast<std::ptrdiff_t>(held_count_);
-        for_each_received(row, met,
-                          [&](LocalUnion, Vec3 increment) { correct_received(*state_, *before++, increment); });
-    }
-
-    const Network* network_;
-    State* state_;
-    const LatticeCaches* caches_;
-    std::span<const Vec3> received_;
-    double longest_;
-    bool failed_{false};
-    std::vector<Before> before_;
-    std::size_t held_count_{0};  ///< number of held unions; they come first in before_
-};
-
 }  // namespace
 
-Swept advance_and_sweep(const Network& network, State& state, LatticeCaches& caches, std::span<const Vec3> received,
-                        Measure measure) {
+Advancer::Advancer(const Network& network, State& state, const RowCaches& caches, std::span<const Vec3> received)
+    : network_{&network}, state_{&state}, caches_{&caches}, received_{received}, longest_{longest_increment(network)} {
     CRACKSIM_EXPECT(received.size() == network.received().size());
-    Advancer advancer{network, state, caches, received};
-    ForceSweep sweep{network, state, caches, measure};
-    for (std::size_t row = 0; row < state.lattice().cell_rows().size(); ++row) {
-        advancer.advance_before(row);
-        sweep.sweep_row(row);
+}
+
+void Advancer::advance_before(std::size_t cell_row) {
+    for (std::size_t side = 0; side < Lattice::sides; ++side) {
+        const std::int32_t row = state_->lattice().cell_rows()[cell_row].vertex_row[side];
+        if (const unsigned first = met_first(static_cast<std::size_t>(row), cell_row, side); first != 0) {
+            advance_layers_of(static_cast<std::size_t>(row), first);
+        }
     }
-    Swept found = sweep.found();
-    if (advancer.failed()) {
-        found.failure = find_failure(network, state);
+}
+
+/// The layers of corners on a side, without the base layer, if the pool has unions of this row and side; else none.
+unsigned Advancer::layers_in_pool(std::size_t row, std::size_t side) const {
+    const bool any = state_->motion.first_pooled(row, side) != PoolPlace{};
+    return any ? layers_by_side[side] & ~bit_of(base_layer) : 0U;
+}
+
+/// The layers of a row of vertices that must be advanced before a row of entities that has this row on a side.
+unsigned Advancer::met_first(std::size_t row, std::size_t cell_row, std::size_t side) const {
+    const Lattice::VertexRow& vertices = state_->lattice().vertex_rows()[row];
+    unsigned first = layers_in_pool(row, side);
+    if (static_cast<std::size_t>(vertices.first_cell_row()) == cell_row) {
+        first |= bit_of(base_layer);
+        for (std::size_t other = 0; other < Lattice::sides; ++other) {
+            first |= vertices.cell_row[other] < 0 ? layers_in_pool(row, other) : 0U;
+        }
     }
-    ++state.step;
+    return first;
+}
+
+void Advancer::advance_layers_of(std::size_t row, unsigned met) {
+    remember(row, met);
+    if (state_->motion.precision() == Precision::binary32) {
+        advance_in<float>(row, met);
+    } else {
+        advance_in<double>(row, met);
+    }
+    correct(row, met);
+}
+
+template <class Real>
+void Advancer::advance_in(std::size_t row, unsigned met) {
+    const Lattice::VertexRow& vertices = state_->lattice().vertex_rows()[row];
+    const auto first = static_cast<std::size_t>(vertices.first);
+    const auto length = static_cast<std::size_t>(vertices.length);
+    Motion& motion = state_->motion;
+    AdvanceView<Real> view{motion.in<Real>().base() + first,
+                           motion.base_stride(),
+                           (met & bit_of(base_layer)) != 0 ? length : 0,
+                           motion.in<Real>().pool(),
+                           motion.pool_stride(),
+                           find_pooled(row, met),
+                           motion.next_pooled(),
+                           state_->scheme == Scheme::ab2,
+                           longest_,
+                           failed_};
+    advance_layers(view);
+    failed_ = view.failed;
+}
+
+std::array<PoolPlace, Lattice::sides> Advancer::find_pooled(std::size_t row, unsigned met) const {
+    std::array<PoolPlace, Lattice::sides> found;
+    for (std::size_t side = 0; side < Lattice::sides; ++side) {
+        if ((met & layers_by_side[side] & ~bit_of(base_layer)) != 0) {
+            found[side] = state_->motion.first_pooled(row, side);
+        }
+    }
     return found;
 }
+
+/// Calls action(union) for the held unions of some layers.
+void Advancer::for_each_held(std::size_t row, unsigned met, auto&& action) {
+    for (const std::size_t i : caches_->held_in_row[row]) {
+        const LocalUnion held = state_->held.all()[i].local_union;
+        if ((met & bit_of(layer_of(held))) != 0) {
+            action(held);
+        }
+    }
+}
+/// Calls action(union, increment) for the received unions of some layers.
+void Advancer::for_each_received(std::size_t row, unsigned met, auto&& action) {
+    for (const auto& [id, mass] : caches_->received.in_row(row)) {
+        if ((met & bit_of(layer_of(id))) != 0) {
+            action(id, received_[mass]);
+        }
+    }
+}
+
+void Advancer::remember(std::size_t row, unsigned met) {
+    before_.clear();
+    const auto keep = [&](LocalUnion s) { before_.push_back({s, state_->displacement(s), state_->increment(s)}); };
+    for_each_held(row, met, keep);
+    held_count_ = before_.size();
+    for_each_received(row, met, [&](LocalUnion id, Vec3) { keep(id); });
+}
+
+void Advancer::correct(std::size_t row, unsigned met) {
+    for (std::size_t i = 0; i < held_count_; ++i) {
+        correct_held(before_[i]);
+        failed_ = failed_ || !is_within(state_->increment(before_[i].local_union), longest_);
+    }
+    auto before = before_.cbegin() + static_cast<std::ptrdiff_t>(held_count_);
+    for_each_received(row, met, [&](LocalUnion, Vec3 increment) { correct_received(*before++, increment); });
+}
+
+/// Replaces the held components by the prescribed ones and adds the work of the support's force on the union.
+void Advancer::correct_held(const Before& before) {
+    const Vec3 free = state_->increment(before.local_union);
+    const Vec3 w = state_->motion.rounded(prescribed(*network_, *state_, before.local_union, free, 0.5));
+    state_->set_increment(before.local_union, w);
+    state_->set_displacement(before.local_union, before.displacement + w);
+    extrapolate(*state_, before.local_union, w, before.increment);
+    if (network_->owned(entity_of(state_->unions.smallest_mass(before.local_union)))) {
+        const Vec3 support_force = (1.0 / state_->dt2_over_mass(before.local_union)) * (w - free);
+        state_->held.work += 0.5 * dot(support_force, w + before.increment);
+    }
+}
+
+void Advancer::correct_received(const Before& before, Vec3 increment) {
+    state_->set_increment(before.local_union, increment);
+    state_->set_displacement(before.local_union, before.displacement + increment);
+    extrapolate(*state_, before.local_union, increment, before.increment);
+}
+
+std::optional<MotionFailure> Advancer::end() { return failed_ ? find_failure(*network_, *state_) : std::nullopt; }
 
 }  // namespace cracksim::physics

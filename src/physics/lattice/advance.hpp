@@ -1,18 +1,74 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "core/vec3.hpp"
 #include "physics/engine.hpp"
-#include "physics/lattice/caches.hpp"
+#include "physics/lattice/row_caches.hpp"
 #include "physics/problem/network.hpp"
 #include "physics/state/state.hpp"
 
 namespace cracksim::physics {
 
+/// Advances rows of vertices. Each layer of a row is advanced just before the sweep of the first row of entities that
+/// meets its unions: the row of their smallest masses, or the first row that meets the vertices if the former row is
+/// not local or the layer is the base layer. So advance and forces load the numbers into the caches only once.
+class Advancer {
+public:
+    /// Keeps references to the arguments. Serves one step. received: see Engine::advance.
+    Advancer(const Network& network, State& state, const RowCaches& caches, std::span<const Vec3> received);
+
+    /// Advances the layers that a row of entities meets first.
+    void advance_before(std::size_t cell_row);
+    /// Ends the step. Must be called after the last row.
+    [[nodiscard]] std::optional<MotionFailure> end();
+
+private:
+    /// The motion of a held or received union before a step. The motion is corrected after the step of its row.
+    struct Before {
+        LocalUnion local_union;
+        Vec3 displacement;
+        Vec3 increment;
+    };
+
+    [[nodiscard]] unsigned layers_in_pool(std::size_t row, std::size_t side) const;
+    [[nodiscard]] unsigned met_first(std::size_t row, std::size_t cell_row, std::size_t side) const;
+    void advance_layers_of(std::size_t row, unsigned met);
+    template <class Real>
+    void advance_in(std::size_t row, unsigned met);
+    [[nodiscard]] std::array<PoolPlace, Lattice::sides> find_pooled(std::size_t row, unsigned met) const;
+    void for_each_held(std::size_t row, unsigned met, auto&& action);
+    void for_each_received(std::size_t row, unsigned met, auto&& action);
+    void remember(std::size_t row, unsigned met);
+    void correct(std::size_t row, unsigned met);
+    void correct_held(const Before& before);
+    void correct_received(const Before& before, Vec3 increment);
+
+    const Network* network_;
+    State* state_;
+    const RowCaches* caches_;
+    std::span<const Vec3> received_;
+    double longest_;
+    bool failed_{false};
+    std::vector<Before> before_;
+    std::size_t held_count_{0};  ///< number of held unions; they come first in before_
+};
+
 /// Engine::advance on the lattice. It advances the unions and computes the forces row by row, so that each motion is
-/// read and written once.
-[[nodiscard]] Swept advance_and_sweep(const Network& network, State& state, LatticeCaches& caches,
-                                      std::span<const Vec3> received, Measure measure);
+/// read and written once. sweep has sweep_row(row) and found(), as ForceSweep.
+[[nodiscard]] Swept advance_and_sweep(Advancer& advancer, auto& sweep, State& state) {
+    for (std::size_t row = 0; row < state.lattice().cell_rows().size(); ++row) {
+        advancer.advance_before(row);
+        sweep.sweep_row(row);
+    }
+    Swept found = sweep.found();
+    found.failure = advancer.end();
+    ++state.step;
+    return found;
+}
 
 }  // namespace cracksim::physics

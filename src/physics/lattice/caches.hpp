@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "physics/lattice/edge_limits.hpp"
-#include "physics/lattice/pooled_corners.hpp"
-#include "physics/lattice/received_unions.hpp"
+#include "physics/lattice/row_caches.hpp"
 #include "physics/lattice/shared_edges.hpp"
 #include "physics/lattice/sweep/sweep_view.hpp"
 #include "physics/problem/network.hpp"
@@ -14,26 +13,19 @@
 
 namespace cracksim::physics {
 
-/// Data derived from network and state that make the sweep over the lattice fast.
+/// Data derived from network and state that make the sweep over the paper's network on the lattice fast.
 struct LatticeCaches {
     LatticeCaches(const Network& network, const State& state);
 
-    /// Updates pooled corners, shared edges, held unions and received unions at the vertices where parts of masses
-    /// changed; each vertex must occur once. Does not update the limits. May reorder the motion's pool.
+    /// Updates rows and shared edges at the vertices where parts of masses changed; each vertex must occur once. Does
+    /// not update the limits. May reorder the motion's pool.
     void update(const Network& network, State& state, std::span<const VertexSite> reparted);
     [[nodiscard]] std::size_t memory_bytes() const;
 
-    PooledHalves pooled;
+    RowCaches rows;
     SharedEdges shared_edges;
     EdgeLimits limits;
     std::vector<EdgeBits> exceeded;  ///< [batch]: edges stretched beyond their limits, which the sweep marks
-    std::vector<std::vector<std::size_t>> held_in_row;  ///< by vertex row: indices into HeldUnions::all
-    ReceivedUnions received;
-
-private:
-    void add_held(const State& state);
-
-    std::size_t held_count_{0};
 };
 
 }  // namespace cracksim::physics

@@ -20,7 +20,9 @@ Swept LatticeEngine::forces(State& state, Measure measure) {
 }
 
 Swept LatticeEngine::advance(State& state, std::span<const Vec3> received, Measure measure) {
-    return advance_and_sweep(*network_, state, caches_, received, measure);
+    Advancer advancer{*network_, state, caches_.rows, received};
+    ForceSweep sweep{*network_, state, caches_, measure};
+    return advance_and_sweep(advancer, sweep, state);
 }
 
 void LatticeEngine::next_increments(const State& state, std::span<const ListedUnions::Entry> unions,

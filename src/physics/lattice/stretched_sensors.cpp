@@ -36,7 +36,7 @@ std::int64_t place_of_edge(Site site, int edge) {
 std::array<Vec3, 3> upward_reaches(const EntityModel& model) {
     std::array<Vec3, 3> reach;
     for (std::size_t axis = 0; axis < reach.size(); ++axis) {
-        reach[axis] = 2 * model.rest[axis * HexahedronPairs::edges_per_axis];
+        reach[axis] = 2 * model.paper().rest[axis * HexahedronPairs::edges_per_axis];
     }
     return reach;
 }

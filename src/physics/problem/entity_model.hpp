@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstddef>
+#include <variant>
 
 #include "core/hexahedron.hpp"
 #include "core/vec3.hpp"
 #include "physics/interaction.hpp"
+#include "physics/standard_entity.hpp"
 
 namespace cracksim::physics {
 
@@ -55,17 +57,30 @@ private:
     }();
 };
 
-/// An entity, the smallest physical piece: a box with masses at its corners and 16 interactions. All entities of the
-/// block are equal.
-struct EntityModel {
-    /// edge: lengths of the box, m; corner_mass: kg at each corner.
-    EntityModel(Vec3 edge, double corner_mass, KelvinVoigt edges, KelvinVoigt diagonals);
-
-    double corner_mass;
-    std::array<Vec3, Hexahedron::corners> rest_corner;  ///< m, from corner 0
+/// The entity of the paper's network: 16 interactions.
+struct PaperEntity {
     std::array<KelvinVoigt, HexahedronPairs::count> interaction;
     std::array<Vec3, HexahedronPairs::count> rest;           ///< d0 = second corner minus first, m
     std::array<double, HexahedronPairs::count> rest_length;  ///< L0, m
+};
+
+/// An entity, the smallest physical piece: a box with masses at its corners, and the law of its forces. All entities of
+/// the block are equal.
+struct EntityModel {
+    /// An entity of the paper's network. edge: lengths of the box, m; corner_mass: kg at each corner.
+    EntityModel(Vec3 edge, double corner_mass, KelvinVoigt edges, KelvinVoigt diagonals);
+    explicit EntityModel(const StandardEntity& standard);
+
+    [[nodiscard]] Vec3 edge() const { return rest_corner[6]; }
+    /// Must be an entity of the paper's network.
+    [[nodiscard]] const PaperEntity& paper() const { return std::get<PaperEntity>(law); }
+    /// Must be a standard entity.
+    [[nodiscard]] const StandardEntity& standard() const { return std::get<StandardEntity>(law); }
+    [[nodiscard]] bool is_standard() const { return std::holds_alternative<StandardEntity>(law); }
+
+    double corner_mass;
+    std::array<Vec3, Hexahedron::corners> rest_corner;  ///< m, from corner 0
+    std::variant<PaperEntity, StandardEntity> law;
 };
 
 }  // namespace cracksim::physics

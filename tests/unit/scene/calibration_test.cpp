@@ -16,9 +16,9 @@ constexpr double edge = 0.02;
 double interaction(const NetworkSettings& network, int i, int j, int k, int l) {
     const physics::EntityModel model{{edge, edge, edge}, network.mass, network.edge, network.diagonal};
     double sum = 0;
-    for (std::size_t s = 0; s < model.rest.size(); ++s) {
-        const Vec3 n = (1 / model.rest_length[s]) * model.rest[s];
-        sum += model.interaction[s].stiffness * model.rest_length[s] * model.rest_length[s] * n[i] * n[j] * n[k] * n[l];
+    for (std::size_t s = 0; s < model.paper().rest.size(); ++s) {
+        const Vec3 n = (1 / model.paper().rest_length[s]) * model.paper().rest[s];
+        sum += model.paper().interaction[s].stiffness * model.paper().rest_length[s] * model.paper().rest_length[s] * n[i] * n[j] * n[k] * n[l];
     }
     return sum / (edge * edge * edge);
 }

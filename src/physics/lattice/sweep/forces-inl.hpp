@@ -18,6 +18,7 @@
 
 #include "physics/lattice/shared_edges.hpp"
 #include "physics/lattice/sweep/limits-inl.hpp"
+#include "physics/lattice/sweep/rows-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
@@ -118,12 +119,6 @@ HWY_INLINE void add_to_sums(SweepView<Real>& v, const Outcome<Real>& outcome, V<
     }
     v.exceeded[site / Lattice::lanes] |= found;
 }
-
-/// The forces on the corners.
-template <class Real>
-struct Forces {
-    V3<Real> f[Hexahedron::corners];
-};
 
 /// Computes strains, exceeded limits and factors of some interactions. from: the motions of the corners.
 /// all.multiplicity must be set. Plain, MostlyNone, Far: see complete_strain and find_exceeded.

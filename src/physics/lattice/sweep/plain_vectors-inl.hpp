@@ -15,8 +15,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "physics/lattice/sweep/corners-inl.hpp"
 #include "physics/lattice/sweep/forces-inl.hpp"
-#include "physics/lattice/sweep/rows-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
@@ -41,40 +41,16 @@ constexpr auto list_of(std::index_sequence<I...>) {
 template <unsigned Mask>
 using ListOf = decltype(list_of<Mask>(std::index_sequence<>{}));
 
-/// The motions of entities whose corners are all in the base layer. They are loaded where they are needed, because
-/// there are too many for the registers.
+/// The interactions that at least one entity of the vector represents, and the properties of SharedEdges that all its
+/// halves have.
 template <class Real>
-struct PlainCorners {
-    const Real* side[Lattice::sides];  ///< u of the lower corners in the base layer
-    std::size_t stride;
-    std::size_t velocity;  ///< distance from u to the increment that damping uses
-
-    template <std::size_t C, std::size_t Axis>
-    HWY_INLINE V<Real> displacement() const {
-        return hn::LoadU(D<Real>{}, place<C>() + Axis * stride);
+HWY_INLINE unsigned represented_by(const SweepView<Real>& v, std::size_t site) {
+    const std::uint32_t* half = v.represented + site / Lattice::half;
+    if constexpr (is_whole_batch<Real>) {
+        return ((half[0] | half[1]) & ~SharedEdges::properties) | (half[0] & half[1] & SharedEdges::properties);
+    } else {
+        return half[0];
     }
-    template <std::size_t C, std::size_t Axis>
-    HWY_INLINE V<Real> velocity_increment() const {
-        return hn::LoadU(D<Real>{}, place<C>() + velocity + Axis * stride);
-    }
-
-private:
-    template <std::size_t C>
-    HWY_INLINE const Real* place() const {
-        const Real* place = side[Lattice::side(C)];
-        // This hides from the compiler that the pointer is unchanged. So it loads values again instead of keeping them
-        // on the stack, which saves 3 % of a step.
-        asm("" : "+r"(place));
-        return place + Lattice::along(C);
-    }
-};
-
-/// The corners of the vector of entities at the place `at` of a run.
-template <class Real>
-HWY_INLINE PlainCorners<Real> plain_corners_at(const SweepView<Real>& v, const RowRun<Real>& run, std::size_t at) {
-    return {{run.side[0] + at, run.side[1] + at, run.side[2] + at, run.side[3] + at},
-            run.stride,
-            v.velocity_quantity * run.stride};
 }
 
 /// A known property of the multiplicities of a vector's entities (SharedEdges): none, `full` or `interior`.

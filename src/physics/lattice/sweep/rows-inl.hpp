@@ -12,27 +12,21 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "physics/lattice/sweep/forces-inl.hpp"
-#include "physics/state/motion.hpp"
+#include "physics/lattice/sweep/motion_view.hpp"
+#include "physics/lattice/sweep/vectors-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-/// The interactions that at least one entity of the vector represents, and the properties of SharedEdges that all its
-/// halves have.
+/// The forces on the corners.
 template <class Real>
-HWY_INLINE unsigned represented_by(const SweepView<Real>& v, std::size_t site) {
-    const std::uint32_t* half = v.represented + site / Lattice::half;
-    if constexpr (is_whole_batch<Real>) {
-        return ((half[0] | half[1]) & ~SharedEdges::properties) | (half[0] & half[1] & SharedEdges::properties);
-    } else {
-        return half[0];
-    }
-}
+struct Forces {
+    V3<Real> f[Hexahedron::corners];
+};
 
 /// True if all corners of a vector's entities are in the base layer.
 template <class Real>
-HWY_INLINE bool is_base(const SweepView<Real>& v, std::size_t site) {
+HWY_INLINE bool is_base(const MotionView<Real>& v, std::size_t site) {
     const std::int32_t* half = v.pooled_of_half + site / Lattice::half;
     return half[0] < 0 && (!is_whole_batch<Real> || half[1] < 0);
 }
@@ -93,7 +87,7 @@ struct RowRun {
 };
 
 template <class Real>
-HWY_INLINE RowRun<Real> begin_run(const SweepView<Real>& v, const RowView& row) {
+HWY_INLINE RowRun<Real> begin_run(const MotionView<Real>& v, const RowView& row) {
     RowRun<Real> run{{}, v.base_stride, {{zero3<Real>(), zero3<Real>(), zero3<Real>(), zero3<Real>()}}, {}};
     for (std::size_t side = 0; side < Lattice::sides; ++side) {
         run.side[side] = v.base + row.vertex[side];

@@ -70,21 +70,6 @@ HWY_INLINE void add_component(V<Real> edge, V<Real> du, V<Real> dw, Interactions
     all.rate[I] = Axis == 0 ? hn::Mul(dw, distance) : hn::MulAdd(dw, distance, all.rate[I]);
 }
 
-/// The displacements of a vector's corners and the increments that damping uses, copied into one array.
-template <class Real>
-struct Assembled {
-    HWY_ALIGN Real motion[Hexahedron::corners][6][vector_lanes<Real>];
-
-    template <std::size_t C, std::size_t Axis>
-    HWY_INLINE V<Real> displacement() const {
-        return hn::Load(D<Real>{}, motion[C][Axis]);
-    }
-    template <std::size_t C, std::size_t Axis>
-    HWY_INLINE V<Real> velocity_increment() const {
-        return hn::Load(D<Real>{}, motion[C][3 + Axis]);
-    }
-};
-
 /// True if an interaction of the list has this corner.
 constexpr bool is_met(unsigned list, int corner) {
     for (std::size_t i = 0; i < HexahedronPairs::count; ++i) {

@@ -5,10 +5,9 @@
 #include <cstdint>
 
 #include "physics/lattice/bfloat16.hpp"
-#include "physics/lattice/pooled_corners.hpp"
+#include "physics/lattice/sweep/motion_view.hpp"
 #include "physics/problem/entity_model.hpp"
 #include "physics/problem/lattice.hpp"
-#include "physics/state/motion.hpp"
 
 namespace cracksim::physics {
 
@@ -66,26 +65,11 @@ struct InteractionConstants {
     Real half_energy;             ///< k L0^2/2, J
 };
 
-/// A row of cells: its sites, and the vertex sites of its first cell's lower corners.
-struct RowView {
-    std::size_t vertex[Lattice::sides];
-    std::size_t first_site;
-    std::size_t sites;
-};
-
 /// Pointers into network, state and caches, the same for all rows.
 template <class Real>
-struct SweepView {
+struct SweepView : MotionView<Real> {
     Real edge[3];  ///< the lengths of an entity, m
     std::array<InteractionConstants<Real>, HexahedronPairs::kinds> kind;
-    Real* base;  ///< the motion (motion.hpp)
-    std::size_t base_stride;
-    Real* pool;
-    std::size_t pool_stride;
-    std::size_t velocity_quantity;
-    /// [half of a batch]: index into pooled, -1 where all corners are in the base layer
-    const std::int32_t* pooled_of_half;
-    const PooledCorners* pooled;
     const std::uint8_t* multiplicities;  ///< [batch][row][lane]
     const std::uint32_t* represented;    ///< [half of a batch] (shared_edges.hpp)
     const Bfloat16* limits;              ///< [batch][edge][lane]
@@ -93,15 +77,6 @@ struct SweepView {
     EdgeBits* exceeded;                  ///< [batch]: edges stretched beyond their limit
     double dissipated;                   ///< out: sum of (z/dt) (dw.n)^2, J
     double elastic;                      ///< out: sum of k e^2 / 2, J
-};
-
-/// Entities gathered from any sites: [component][corner][lane]. In: u and the increment that damping uses, m. Out:
-/// forces, N.
-template <class Real>
-struct GatheredEntities {
-    Real displacement[3][Hexahedron::corners][Lattice::lanes];
-    Real velocity_increment[3][Hexahedron::corners][Lattice::lanes];
-    Real force[3][Hexahedron::corners][Lattice::lanes];
 };
 
 }  // namespace cracksim::physics

@@ -26,8 +26,8 @@ void expect_true_of_all_corners(const test::Body& body) {
         std::array<std::array<PoolPlace, Lattice::half>, Hexahedron::corners> found{};
         PooledCorners pooled{};
         pooled.in_base.fill(PooledCorners::all_lanes);
-        if (body.engine.caches().pooled.index()[half] >= 0) {
-            pooled = body.engine.caches().pooled.halves()[body.engine.caches().pooled.index()[half]];
+        if (body.engine.caches().rows.pooled.index()[half] >= 0) {
+            pooled = body.engine.caches().rows.pooled.halves()[body.engine.caches().rows.pooled.index()[half]];
         }
         for (std::size_t i = 0; i < pooled.count; ++i) {
             found[pooled.corner(i)][pooled.lane(i)] = pooled.place[i];
@@ -51,10 +51,10 @@ void expect_true_of_all_corners(const test::Body& body) {
 void expect_ascending(const test::Body& body) {
     const State& state = body.state;
     for (std::size_t half = 0; half < state.lattice().halves(); ++half) {
-        if (body.engine.caches().pooled.index()[half] < 0) {
+        if (body.engine.caches().rows.pooled.index()[half] < 0) {
             continue;
         }
-        const PooledCorners& pooled = body.engine.caches().pooled.halves()[body.engine.caches().pooled.index()[half]];
+        const PooledCorners& pooled = body.engine.caches().rows.pooled.halves()[body.engine.caches().rows.pooled.index()[half]];
         const auto mass = [&](std::size_t i) {
             const Site site{static_cast<std::int32_t>(half * Lattice::half + pooled.lane(i))};
             return local_mass(state.lattice().entity(site), static_cast<int>(pooled.corner(i)));
@@ -71,7 +71,7 @@ std::size_t halves_in_use(const test::Body& body) {
     const State& state = body.state;
     std::size_t count = 0;
     for (std::size_t half = 0; half < state.lattice().halves(); ++half) {
-        count += body.engine.caches().pooled.index()[half] >= 0 ? 1U : 0U;
+        count += body.engine.caches().rows.pooled.index()[half] >= 0 ? 1U : 0U;
     }
     return count;
 }
@@ -84,8 +84,8 @@ TEST(PooledCorners, AreOnlyTheLoneMassesOfSevenCornersOfAnIntactBlock) {
     State& state = body.state;
     std::size_t count = 0;
     for (std::size_t half = 0; half < state.lattice().halves(); ++half) {
-        const std::int32_t index = body.engine.caches().pooled.index()[half];
-        count += index < 0 ? 0 : body.engine.caches().pooled.halves()[index].count;
+        const std::int32_t index = body.engine.caches().rows.pooled.index()[half];
+        count += index < 0 ? 0 : body.engine.caches().rows.pooled.halves()[index].count;
     }
     EXPECT_EQ(count, 7U);
     expect_true_of_all_corners(body);

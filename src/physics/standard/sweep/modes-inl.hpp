@@ -1,0 +1,90 @@
+// The mean edge vectors and the hourglass vectors of vectors of entities, from and to their corners. Compiled once for
+// each SIMD target, so it has Highway's toggle in place of an include guard.
+#if defined(CRACKSIM_PHYSICS_STANDARD_SWEEP_MODES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef CRACKSIM_PHYSICS_STANDARD_SWEEP_MODES_INL_HPP
+#undef CRACKSIM_PHYSICS_STANDARD_SWEEP_MODES_INL_HPP
+#else
+#define CRACKSIM_PHYSICS_STANDARD_SWEEP_MODES_INL_HPP
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+
+#include "physics/lattice/sweep/corners-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace cracksim::physics::HWY_NAMESPACE {
+
+/// The numbers of the hourglass vectors: that of two other axes is numbered by its axis.
+constexpr std::size_t q7 = 3;
+constexpr std::size_t hourglasses = 4;
+
+/// The sums over the corners of a vector's entities, with the signs of the mean edge vectors (by axis) and of the
+/// hourglass vectors, by component.
+template <class Real>
+struct Modes {
+    V<Real> mean[3][3];
+    V<Real> hourglass[hourglasses][3];
+};
+
+/// One component of the vectors at the corners: at the lower and the upper corner along x of each side.
+template <class Real>
+struct SideValues {
+    V<Real> lower[Lattice::sides];
+    V<Real> upper[Lattice::sides];
+};
+
+/// Sides are numbered by y, then z. A translation gives exactly zero, because equal numbers are subtracted.
+template <std::size_t Axis, class Real>
+CRACKSIM_INLINE void find_modes(const SideValues<Real>& at, Modes<Real>& modes) {
+    V<Real> difference[Lattice::sides];
+    V<Real> sum[Lattice::sides];
+    for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
+        difference[side] = hn::Sub(at.upper[side], at.lower[side]);
+        sum[side] = hn::Add(at.upper[side], at.lower[side]);
+    });
+    const V<Real> below = hn::Add(difference[0], difference[1]);
+    const V<Real> above = hn::Add(difference[2], difference[3]);
+    const V<Real> across_below = hn::Sub(difference[1], difference[0]);
+    const V<Real> across_above = hn::Sub(difference[3], difference[2]);
+    modes.mean[0][Axis] = hn::Add(below, above);
+    modes.hourglass[1][Axis] = hn::Sub(above, below);
+    modes.hourglass[2][Axis] = hn::Add(across_below, across_above);
+    modes.hourglass[q7][Axis] = hn::Sub(across_above, across_below);
+    const V<Real> along_below = hn::Sub(sum[1], sum[0]);
+    const V<Real> along_above = hn::Sub(sum[3], sum[2]);
+    modes.mean[1][Axis] = hn::Add(along_below, along_above);
+    modes.mean[2][Axis] = hn::Sub(hn::Add(sum[2], sum[3]), hn::Add(sum[0], sum[1]));
+    modes.hourglass[0][Axis] = hn::Sub(along_above, along_below);
+}
+
+/// One component of the forces on the corners, from the forces on the sums.
+template <std::size_t Axis, class Real>
+CRACKSIM_INLINE SideValues<Real> corner_values(const Modes<Real>& forces) {
+    const V<Real> upper_y = hn::Add(forces.mean[0][Axis], forces.hourglass[2][Axis]);
+    const V<Real> lower_y = hn::Sub(forces.mean[0][Axis], forces.hourglass[2][Axis]);
+    const V<Real> upper_slope = hn::Add(forces.hourglass[1][Axis], forces.hourglass[q7][Axis]);
+    const V<Real> lower_slope = hn::Sub(forces.hourglass[1][Axis], forces.hourglass[q7][Axis]);
+    const V<Real> odd[]{hn::Sub(lower_y, lower_slope), hn::Sub(upper_y, upper_slope), hn::Add(lower_y, lower_slope),
+                        hn::Add(upper_y, upper_slope)};
+    const V<Real> together = hn::Add(forces.mean[1][Axis], forces.hourglass[0][Axis]);
+    const V<Real> apart = hn::Sub(forces.mean[1][Axis], forces.hourglass[0][Axis]);
+    const V<Real> z = forces.mean[2][Axis];
+    // The even parts of the sides; that of side 0 is negative.
+    const V<Real> even[]{hn::Add(apart, z), hn::Sub(apart, z), hn::Sub(z, together), hn::Add(together, z)};
+    SideValues<Real> found;
+    found.lower[0] = hn::Neg(hn::Add(even[0], odd[0]));
+    found.upper[0] = hn::Sub(odd[0], even[0]);
+    for_each<Lattice::sides - 1>([&](auto before) CRACKSIM_INLINE_LAMBDA {
+        constexpr std::size_t side = before + 1;
+        found.lower[side] = hn::Sub(even[side], odd[side]);
+        found.upper[side] = hn::Add(even[side], odd[side]);
+    });
+    return found;
+}
+
+}  // namespace cracksim::physics::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,257 @@
+// The sweep of a row of standard entities in any state. Defines the functions of standard_row.hpp for CRACKSIM_REAL.
+// Compiled once for each SIMD target, so it has Highway's toggle in place of an include guard.
+#if defined(CRACKSIM_PHYSICS_STANDARD_SWEEP_STANDARD_ROW_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef CRACKSIM_PHYSICS_STANDARD_SWEEP_STANDARD_ROW_INL_HPP
+#undef CRACKSIM_PHYSICS_STANDARD_SWEEP_STANDARD_ROW_INL_HPP
+#else
+#define CRACKSIM_PHYSICS_STANDARD_SWEEP_STANDARD_ROW_INL_HPP
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "physics/lattice/sweep/corners-inl.hpp"
+#include "physics/standard/sweep/law-inl.hpp"
+#include "physics/standard/sweep/standard_row.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace cracksim::physics::HWY_NAMESPACE {
+
+/// The sums of displacements and increments of a vector's entities. from: the motions of their corners.
+template <class K, class From, class Real>
+CRACKSIM_INLINE void find_motion_modes(const From& from, Modes<Real>& u, Modes<Real>& w) {
+    for_each<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
+        SideValues<Real> at;
+        for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
+            constexpr auto corners = Lattice::corners_of_side[side];
+            at.lower[side] = from.template displacement<corners[0], axis>();
+            at.upper[side] = from.template displacement<corners[1], axis>();
+        });
+        find_modes<axis>(at, u);
+        if constexpr (K::damped) {
+            for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
+                constexpr auto corners = Lattice::corners_of_side[side];
+                at.lower[side] = from.template velocity_increment<corners[0], axis>();
+                at.upper[side] = from.template velocity_increment<corners[1], axis>();
+            });
+            find_modes<axis>(at, w);
+        }
+    });
+}
+
+/// Computes the forces on the sums from the motions of the corners.
+template <class K, class From, class Real>
+CRACKSIM_INLINE void find_forces(const StandardConstants<Real>& k, const From& from, Modes<Real>& forces,
+                                 StandardOutcome<Real>& outcome) {
+    Modes<Real> u;
+    Modes<Real> w;
+    find_motion_modes<K>(from, u, w);
+    const V<Real> zero = hn::Zero(D<Real>{});
+    outcome = {zero, zero, zero, zero};
+    find_mode_forces<K>(k, u, w, forces, outcome);
+}
+
+/// The bits of the lanes of a vector, from a byte for each batch.
+template <class Real>
+HWY_INLINE unsigned lanes_at(const std::uint8_t* of_batch, std::size_t site) {
+    constexpr unsigned all = (1U << vector_lanes<Real>)-1;
+    return (unsigned{of_batch[site / Lattice::lanes]} >> site % Lattice::lanes) & all;
+}
+
+template <class Real>
+HWY_INLINE V<Real> of_lanes(unsigned lanes, V<Real> v) {
+    const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes)};
+    return hn::IfThenElseZero(hn::LoadMaskBits(D<Real>{}, bits), v);
+}
+
+/// The sums over the vectors of a row.
+template <class Real>
+struct StandardSums {
+    V<Real> dissipated;
+    V<Real> elastic;
+};
+
+/// Adds the outcome of a vector to the sums and marks the entities beyond their limits of sensing.
+template <class K, class Real>
+HWY_INLINE void add_to_sums(StandardView<Real>& v, const StandardOutcome<Real>& outcome, std::size_t site,
+                            StandardSums<Real>& sums) {
+    const unsigned owned = lanes_at<Real>(v.owned, site);
+    if constexpr (K::damped) {
+        sums.dissipated = hn::Add(sums.dissipated, of_lanes<Real>(owned, outcome.dissipated));
+    }
+    if constexpr (K::measured) {
+        sums.elastic = hn::Add(sums.elastic, of_lanes<Real>(owned, outcome.elastic));
+    }
+    // The largest stress is at most tension + sqrt(deviatoric).
+    const V<Real> slack = hn::Sub(from_bfloat16<Real>(v.limits + site), outcome.tension);
+    const auto below = hn::And(hn::Ge(slack, hn::Zero(D<Real>{})), hn::Le(outcome.deviatoric, hn::Mul(slack, slack)));
+    const unsigned beyond = ~mask_bits<Real>(below) & lanes_at<Real>(v.present, site);
+    if (HWY_UNLIKELY(beyond != 0)) {
+        v.stretched[site / Lattice::lanes] |= static_cast<std::uint8_t>(beyond << site % Lattice::lanes);
+    }
+}
+
+/// Sweeps the vector at the place `at` of a row. All its corners must be in the base layer.
+template <class K, class Real>
+HWY_NOINLINE void sweep_standard_base(StandardView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
+                                      unsigned present, StandardSums<Real>& sums) {
+    const StandardConstants<Real> k = v.constants;
+    constexpr unsigned all = (1U << vector_lanes<Real>)-1;
+    Modes<Real> forces;
+    StandardOutcome<Real> outcome;
+    find_forces<K>(k, plain_corners_at(v, run, at), forces, outcome);
+    for_each<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
+        SideValues<Real> on = corner_values<axis>(forces);
+        for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
+            if (HWY_UNLIKELY(present != all)) {
+                on.lower[side] = of_lanes<Real>(present, on.lower[side]);
+                on.upper[side] = of_lanes<Real>(present, on.upper[side]);
+            }
+            add_component_to_side<side, axis>(on.lower[side], on.upper[side], run, at);
+        });
+    });
+    std::fill_n(run.has_before, Lattice::sides, true);
+    add_to_sums<K>(v, outcome, row.first_site + at, sums);
+}
+
+/// The forces on the corners of a vector's entities.
+template <class Real>
+CRACKSIM_INLINE void find_corner_forces(const Modes<Real>& modes, unsigned present, Forces<Real>& forces) {
+    for_each<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
+        const SideValues<Real> on = corner_values<axis>(modes);
+        for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
+            constexpr auto corners = Lattice::corners_of_side[side];
+            component<axis>(forces.f[corners[0]]) = of_lanes<Real>(present, on.lower[side]);
+            component<axis>(forces.f[corners[1]]) = of_lanes<Real>(present, on.upper[side]);
+        });
+    });
+}
+
+/// Sweeps the vector at the place `at` of a row. Its corners may be in base layer and pool.
+template <class K, class Real>
+HWY_NOINLINE void sweep_standard_split(StandardView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
+                                       unsigned present, StandardSums<Real>& sums) {
+    const StandardConstants<Real> k = v.constants;
+    const std::size_t site = row.first_site + at;
+    Assembled<Real> assembled;
+    assemble(v, row, at, assembled);
+    Modes<Real> modes;
+    StandardOutcome<Real> outcome;
+    find_forces<K>(k, assembled, modes, outcome);
+    Forces<Real> forces;
+    find_corner_forces(modes, present, forces);
+    add_to_pool(v, site, forces);
+    add_side_in_base<0>(v, site, forces, run, at);
+    add_side_in_base<1>(v, site, forces, run, at);
+    add_side_in_base<2>(v, site, forces, run, at);
+    add_side_in_base<3>(v, site, forces, run, at);
+    add_to_sums<K>(v, outcome, site, sums);
+}
+
+template <class K, class Real>
+void sweep_standard_vectors(StandardView<Real>& v, const RowView& row) {
+    const D<Real> d;
+    std::fill_n(v.stretched + row.first_site / Lattice::lanes, row.sites / Lattice::lanes, std::uint8_t{0});
+    StandardSums<Real> sums{hn::Zero(d), hn::Zero(d)};
+    RowRun<Real> run = begin_run(v, row);
+    for (std::size_t at = 0; at < row.sites; at += vector_lanes<Real>) {
+        const std::size_t site = row.first_site + at;
+        const unsigned present = lanes_at<Real>(v.present, site);
+        if (present == 0) {
+            deliver(run, at);
+        } else if (is_base(v, site)) {
+            sweep_standard_base<K>(v, row, run, at, present, sums);
+        } else {
+            sweep_standard_split<K>(v, row, run, at, present, sums);
+        }
+    }
+    deliver(run, row.sites);
+    v.dissipated += hn::GetLane(hn::SumOfLanes(d, sums.dissipated));
+    v.elastic += hn::GetLane(hn::SumOfLanes(d, sums.elastic));
+}
+
+template <bool IsCube, bool IsDamped, class Real>
+void sweep_standard(StandardView<Real>& v, const RowView& row, bool measures_elastic) {
+    if (measures_elastic) {
+        sweep_standard_vectors<Kind<IsCube, IsDamped, true>>(v, row);
+    } else {
+        sweep_standard_vectors<Kind<IsCube, IsDamped, false>>(v, row);
+    }
+}
+
+template <class Real>
+void sweep_standard_of(StandardView<Real>& v, const RowView& row, bool measures_elastic) {
+    if (v.is_cube && v.is_damped) {
+        sweep_standard<true, true>(v, row, measures_elastic);
+    } else if (v.is_cube) {
+        sweep_standard<true, false>(v, row, measures_elastic);
+    } else if (v.is_damped) {
+        sweep_standard<false, true>(v, row, measures_elastic);
+    } else {
+        sweep_standard<false, false>(v, row, measures_elastic);
+    }
+}
+
+template <class K, class Real>
+void sweep_gathered_standard(const StandardView<Real>& v, GatheredEntities<Real>& entities) {
+    const StandardConstants<Real> k = v.constants;
+    constexpr std::size_t stride = Hexahedron::corners * Lattice::lanes;
+    for (std::size_t lane = 0; lane < Lattice::lanes; lane += vector_lanes<Real>) {
+        Assembled<Real> assembled;
+        for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
+            store3(load3(entities.displacement[0][c] + lane, stride), assembled.motion[c][0], vector_lanes<Real>);
+            store3(load3(entities.velocity_increment[0][c] + lane, stride), assembled.motion[c][3], vector_lanes<Real>);
+        }
+        Modes<Real> modes;
+        StandardOutcome<Real> outcome;
+        find_forces<K>(k, assembled, modes, outcome);
+        Forces<Real> forces;
+        find_corner_forces(modes, ~0U, forces);
+        for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
+            store3(forces.f[c], entities.force[0][c] + lane, stride);
+        }
+    }
+}
+
+void sweep_standard_row_of_real(StandardView<CRACKSIM_REAL>& v, const RowView& row, bool measures_elastic) {
+    sweep_standard_of(v, row, measures_elastic);
+}
+
+void sweep_standard_entities_of_real(const StandardView<CRACKSIM_REAL>& v, GatheredEntities<CRACKSIM_REAL>& entities) {
+    if (v.is_cube && v.is_damped) {
+        sweep_gathered_standard<Kind<true, true, false>>(v, entities);
+    } else if (v.is_cube) {
+        sweep_gathered_standard<Kind<true, false, false>>(v, entities);
+    } else if (v.is_damped) {
+        sweep_gathered_standard<Kind<false, true, false>>(v, entities);
+    } else {
+        sweep_gathered_standard<Kind<false, false, false>>(v, entities);
+    }
+}
+
+}  // namespace cracksim::physics::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace cracksim::physics {
+
+HWY_EXPORT(sweep_standard_row_of_real);
+HWY_EXPORT(sweep_standard_entities_of_real);
+
+void sweep_standard_row(StandardView<CRACKSIM_REAL>& v, const RowView& row, bool measures_elastic) {
+    HWY_DYNAMIC_DISPATCH(sweep_standard_row_of_real)(v, row, measures_elastic);
+}
+
+void sweep_standard_entities(const StandardView<CRACKSIM_REAL>& v, GatheredEntities<CRACKSIM_REAL>& entities) {
+    HWY_DYNAMIC_DISPATCH(sweep_standard_entities_of_real)(v, entities);
+}
+
+}  // namespace cracksim::physics
+
+#endif
+
+#endif
