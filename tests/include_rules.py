@@ -36,10 +36,12 @@ INSIDE = {
     "physics/engine": ["physics/problem", "physics/state"],
     "physics/events": [],
     "physics/evolution": [],
+    "physics/standard_law": ["physics/problem"],
     "physics/simd_target": [],
     "physics/start": ["physics/problem", "physics/state", "physics/engine"],
     "physics/fracture": ["physics/problem", "physics/state", "physics/engine", "physics/events"],
     "physics/lattice": ["physics/problem", "physics/state", "physics/engine", "physics/fracture"],
+    "physics/standard": ["physics/engine", "physics/lattice"],
 }
 
 TEST_FOLDERS = ["fuzz", "support", "unit"]  # folders whose headers tests share

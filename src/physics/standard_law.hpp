@@ -4,7 +4,7 @@
 
 #include "core/hexahedron.hpp"
 #include "core/vec3.hpp"
-#include "physics/standard_entity.hpp"
+#include "physics/problem/standard_entity.hpp"
 
 namespace cracksim::physics {
 

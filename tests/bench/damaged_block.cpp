@@ -94,7 +94,7 @@ double bytes_of_step(const DamagedBlock& block) {
     // lists of the pool, which are small in comparison.
     const double components = state.scheme == physics::Scheme::ab2 ? 13 : 10;
     const double motion = static_cast<double>(state.motion.memory_bytes()) * (2 * components - 1) / components;
-    const std::size_t read = caches.shared_edges.memory_bytes() + caches.pooled.memory_bytes() +
+    const std::size_t read = caches.shared_edges.memory_bytes() + caches.rows.pooled.memory_bytes() +
                              caches.limits.memory_bytes() + caches.exceeded.size() * sizeof(physics::EdgeBits);
     return motion + static_cast<double>(read);
 }

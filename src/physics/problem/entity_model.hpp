@@ -7,7 +7,7 @@
 #include "core/hexahedron.hpp"
 #include "core/vec3.hpp"
 #include "physics/interaction.hpp"
-#include "physics/standard_entity.hpp"
+#include "physics/problem/standard_entity.hpp"
 
 namespace cracksim::physics {
 

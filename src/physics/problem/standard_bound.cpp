@@ -14,8 +14,8 @@ namespace {
 
 using Matrix = Eigen::Matrix3d;
 
-/// What rounding may take from a bound, relative.
-constexpr double rounding = 1e-12;
+/// What rounding may take from a bound, relative, and what it may leave below zero in a form.
+constexpr double rounding = 1e-9;
 
 /// The rays ascend in kappa/mu, from (0, 1) to (1, 0).
 double interpolate(std::span<const BoundRay> rays, double bulk, double shear) {
@@ -77,9 +77,10 @@ bool positive(const Form& form) {
     for (std::size_t k = 0; k < 3; ++k) {
         const Pair of = pair(form, k);
         scale = std::max({scale, of.first, of.second});
-        holds = holds && of.first >= 0 && of.second >= 0 && of.first * of.second >= of.coupling * of.coupling;
+        holds = holds && of.first >= 0 && of.second >= 0 &&
+                (1 + rounding) * of.first * of.second >= of.coupling * of.coupling;
     }
-    return holds && Eigen::SelfAdjointEigenSolver<Matrix>{form.warping}.eigenvalues().minCoeff() >= -1e-10 * scale;
+    return holds && Eigen::SelfAdjointEigenSolver<Matrix>{form.warping}.eigenvalues().minCoeff() >= -rounding * scale;
 }
 
 /// Is the form <= K |V|^2 |Q|^2 for m of rank one? There m_PP m_ii = m_Pi m_iP, so that a part of each coupling may

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "physics/standard_entity.hpp"
+#include "physics/problem/standard_entity.hpp"
 
 namespace cracksim::physics {
 
@@ -19,7 +19,7 @@ struct StandardBound {
 
 /// For kappa = bulk and mu = shear, value bounds the largest eigenvalue of an energy density's Hessian, or damping, by
 /// F. The largest eigenvalue over all F is a sublinear function of (kappa, mu): linear interpolation between two rays
-/// is a bound between them. tests/.../interval_proof.cpp proves every value; the margins are 0.1 %.
+/// is a bound between them. interval_proof.cpp proves every value; the margins are 0.1 %.
 struct BoundRay {
     double bulk;
     double shear;
@@ -38,7 +38,8 @@ inline constexpr std::array<BoundRay, 10> mean_damping_rays{{{0, 1, 2.120},
                                                              {1, 0, 3.003}}};
 
 /// The hourglass energy N/D adds at most 2 K (alpha |dV|^2 + gamma |dQ|^2) for each of these (alpha, gamma), and so for
-/// all between them, if the weights of |dQ|^2 differ by a factor of 2 at most. Proved by the same program, margins 0.5 to 1.5 %.
+/// all between them, if the weights of |dQ|^2 differ by a factor of 2 at most. The same program proves it; the margins
+/// are 0.5 to 1.5 %.
 inline constexpr double largest_weight_ratio = 2;
 inline constexpr std::array<std::array<double, 2>, 3> hourglass_corners{{{1.005, 2.01}, {1.256, 1.256}, {2.03, 1.008}}};
 

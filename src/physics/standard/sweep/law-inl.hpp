@@ -34,6 +34,12 @@ HWY_INLINE V<Real> dot3(const V<Real> (&a)[3], const V<Real> (&b)[3]) {
     return hn::MulAdd(a[2], b[2], hn::MulAdd(a[1], b[1], hn::Mul(a[0], b[0])));
 }
 
+/// sum + a.b
+template <class Real>
+HWY_INLINE V<Real> add_dot3(const V<Real> (&a)[3], const V<Real> (&b)[3], V<Real> sum) {
+    return hn::MulAdd(a[2], b[2], hn::MulAdd(a[1], b[1], hn::MulAdd(a[0], b[0], sum)));
+}
+
 template <class Real>
 HWY_INLINE V<Real> inverse_or_zero(V<Real> of) {
     const auto counts = hn::Ge(of, broadcast<Real>(vanished<Real>));
@@ -104,6 +110,30 @@ CRACKSIM_INLINE void find_strain(const StandardConstants<Real>& k, const Modes<R
     now.inverse_sum = hn::Div(broadcast<Real>(1), hn::Add(broadcast<Real>(1), now.s));
 }
 
+/// Half of C' dt without its mean, and F:F' dt.
+template <class Real>
+struct Rates {
+    Tensor<Real> deviator;
+    V<Real> stretching;
+};
+
+/// w: v'_i dt in place of the sums of increments.
+template <class Real>
+CRACKSIM_INLINE void find_rates(const Deformation<Real>& now, const Modes<Real>& w, Rates<Real>& rates) {
+    const V<Real> half = broadcast<Real>(0.5);
+    for_each<3>([&](auto i) CRACKSIM_INLINE_LAMBDA {
+        for_each<3>([&](auto j) CRACKSIM_INLINE_LAMBDA {
+            if constexpr (i == j) {
+                rates.deviator.c[i] = dot3<Real>(now.v[i], w.mean[i]);
+            } else if constexpr (i < j) {
+                rates.deviator.c[element(i, j)] =
+                    hn::Mul(half, add_dot3<Real>(now.v[j], w.mean[i], dot3<Real>(now.v[i], w.mean[j])));
+            }
+        });
+    });
+    rates.stretching = hn::Mul(broadcast<Real>(3), take_mean(rates.deviator));
+}
+
 /// The results of a vector's entities.
 template <class Real>
 struct StandardOutcome {
@@ -123,7 +153,7 @@ struct Stress {
 
 template <class K, class Real>
 CRACKSIM_INLINE Stress<Real> find_stress(const StandardConstants<Real>& k, const Deformation<Real>& now,
-                                         const Modes<Real>& w, StandardOutcome<Real>& outcome) {
+                                         const Rates<Real>& rates, StandardOutcome<Real>& outcome) {
     const V<Real> three = broadcast<Real>(3);
     const V<Real> squared = hn::Mul(now.s, now.s);
     const V<Real> inverse_norm4 = hn::Mul(now.inverse_norm2, now.inverse_norm2);
@@ -143,26 +173,14 @@ CRACKSIM_INLINE Stress<Real> find_stress(const StandardConstants<Real>& k, const
             hn::MulAdd(hn::Mul(broadcast<Real>(1.5 * k.shear), now.s), hn::Mul(now.n2, now.inverse_norm2), bulk);
     }
     if constexpr (K::damped) {
-        // C' dt; its trace is twice F:F' dt.
-        Tensor<Real> rate;
-        for_each<3>([&](auto i) CRACKSIM_INLINE_LAMBDA {
-            for_each<3>([&](auto j) CRACKSIM_INLINE_LAMBDA {
-                if constexpr (i <= j) {
-                    const V<Real> there = hn::Mul(broadcast<Real>(k.alpha[j]), dot3<Real>(now.v[i], w.mean[j]));
-                    rate.c[element(i, j)] =
-                        i == j ? hn::Add(there, there)
-                               : hn::MulAdd(broadcast<Real>(k.alpha[i]), dot3<Real>(now.v[j], w.mean[i]), there);
-                }
-            });
-        });
-        const V<Real> stretching = hn::Mul(broadcast<Real>(1.5), take_mean(rate));  // F:F' dt
-        const V<Real> drag = hn::Mul(hn::Mul(broadcast<Real>(k.bulk_damping), stretching), inverse_sum2);
+        const V<Real> drag = hn::Mul(hn::Mul(broadcast<Real>(k.bulk_damping), rates.stretching), inverse_sum2);
+        const V<Real> power = hn::Mul(hn::Mul(broadcast<Real>(2 * k.damping), stress.deviator), square(rates.deviator));
+        const V<Real> twice = broadcast<Real>(2 * k.damping);
         stress.iso = hn::Add(stress.iso, drag);
-        const V<Real> damping = broadcast<Real>(k.damping);
-        const V<Real> power = hn::Mul(hn::Mul(broadcast<Real>(0.5 * k.damping), stress.deviator), square(rate));
-        outcome.dissipated = hn::MulAdd(drag, stretching, power);
-        for_each<6>([&](auto c)
-                        CRACKSIM_INLINE_LAMBDA { stress.d.c[c] = hn::MulAdd(damping, rate.c[c], stress.d.c[c]); });
+        outcome.dissipated = hn::MulAdd(drag, rates.stretching, power);
+        for_each<6>([&](auto c) CRACKSIM_INLINE_LAMBDA {
+            stress.d.c[c] = hn::MulAdd(twice, rates.deviator.c[c], stress.d.c[c]);
+        });
     }
     return stress;
 }
@@ -222,8 +240,7 @@ CRACKSIM_INLINE HourglassForces<Real> find_hourglass(const StandardConstants<Rea
                 m[p][i] = dot3<Real>(u.hourglass[p], now.v[i]);
             }
             if constexpr (K::damped) {
-                const V<Real> turning = dot3<Real>(u.hourglass[p], w.mean[i]);
-                r[p][i] = hn::MulAdd(broadcast<Real>(k.alpha[i]), turning, dot3<Real>(w.hourglass[p], now.v[i]));
+                r[p][i] = add_dot3<Real>(w.hourglass[p], now.v[i], dot3<Real>(u.hourglass[p], w.mean[i]));
             }
         });
     });
@@ -260,13 +277,28 @@ CRACKSIM_INLINE HourglassForces<Real> find_hourglass(const StandardConstants<Rea
     return found;
 }
 
-/// Computes the forces on the sums of a vector's entities.
-template <class K, class Real>
-CRACKSIM_INLINE void find_mode_forces(const StandardConstants<Real>& k, const Modes<Real>& u, const Modes<Real>& w,
-                                      Modes<Real>& forces, StandardOutcome<Real>& outcome) {
+/// Computes the forces on the sums of a vector's entities. from: the motions of their corners.
+template <class K, class From, class Real>
+CRACKSIM_INLINE void find_mode_forces(const StandardConstants<Real>& k, const From& from, Modes<Real>& forces,
+                                      StandardOutcome<Real>& outcome) {
+    const V<Real> zero = hn::Zero(D<Real>{});
+    outcome = {zero, zero, zero, zero};
+    // The increments follow the strain, so that they are loaded and summed while its divisions take place.
+    Modes<Real> u;
+    find_modes_of(Displacements<From>{from}, u);
     Deformation<Real> now;
     find_strain(k, u, now);
-    Stress<Real> stress = find_stress<K>(k, now, w, outcome);
+    Modes<Real> w;
+    Rates<Real> rates;
+    if constexpr (K::damped) {
+        find_modes_of(Increments<From>{from}, w);
+        for_each<3>([&](auto i) CRACKSIM_INLINE_LAMBDA {
+            const V<Real> alpha = broadcast<Real>(k.alpha[i]);
+            for_each<3>([&](auto c) CRACKSIM_INLINE_LAMBDA { w.mean[i][c] = hn::Mul(alpha, w.mean[i][c]); });
+        });
+        find_rates(now, w, rates);
+    }
+    Stress<Real> stress = find_stress<K>(k, now, rates, outcome);
     const HourglassForces<Real> hourglass = find_hourglass<K>(k, now, u, w, outcome);
     stress.iso = hn::NegMulAdd(broadcast<Real>(2.0 / 3.0), hourglass.bound, stress.iso);
     for_each<6>([&](auto c) CRACKSIM_INLINE_LAMBDA {

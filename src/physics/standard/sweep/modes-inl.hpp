@@ -59,6 +59,39 @@ CRACKSIM_INLINE void find_modes(const SideValues<Real>& at, Modes<Real>& modes) 
     modes.hourglass[0][Axis] = hn::Sub(along_above, along_below);
 }
 
+/// The displacements, or the increments that damping uses, of entities whose corners' motions `from` has.
+template <class From>
+struct Displacements {
+    const From& from;
+
+    template <std::size_t C, std::size_t Axis>
+    HWY_INLINE auto at() const {
+        return from.template displacement<C, Axis>();
+    }
+};
+template <class From>
+struct Increments {
+    const From& from;
+
+    template <std::size_t C, std::size_t Axis>
+    HWY_INLINE auto at() const {
+        return from.template velocity_increment<C, Axis>();
+    }
+};
+
+template <class Vectors, class Real>
+CRACKSIM_INLINE void find_modes_of(const Vectors& vectors, Modes<Real>& modes) {
+    for_each<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
+        SideValues<Real> at;
+        for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
+            constexpr auto corners = Lattice::corners_of_side[side];
+            at.lower[side] = vectors.template at<corners[0], axis>();
+            at.upper[side] = vectors.template at<corners[1], axis>();
+        });
+        find_modes<axis>(at, modes);
+    });
+}
+
 /// One component of the forces on the corners, from the forces on the sums.
 template <std::size_t Axis, class Real>
 CRACKSIM_INLINE SideValues<Real> corner_values(const Modes<Real>& forces) {

@@ -20,40 +20,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-/// The sums of displacements and increments of a vector's entities. from: the motions of their corners.
-template <class K, class From, class Real>
-CRACKSIM_INLINE void find_motion_modes(const From& from, Modes<Real>& u, Modes<Real>& w) {
-    for_each<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
-        SideValues<Real> at;
-        for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
-            constexpr auto corners = Lattice::corners_of_side[side];
-            at.lower[side] = from.template displacement<corners[0], axis>();
-            at.upper[side] = from.template displacement<corners[1], axis>();
-        });
-        find_modes<axis>(at, u);
-        if constexpr (K::damped) {
-            for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
-                constexpr auto corners = Lattice::corners_of_side[side];
-                at.lower[side] = from.template velocity_increment<corners[0], axis>();
-                at.upper[side] = from.template velocity_increment<corners[1], axis>();
-            });
-            find_modes<axis>(at, w);
-        }
-    });
-}
-
-/// Computes the forces on the sums from the motions of the corners.
-template <class K, class From, class Real>
-CRACKSIM_INLINE void find_forces(const StandardConstants<Real>& k, const From& from, Modes<Real>& forces,
-                                 StandardOutcome<Real>& outcome) {
-    Modes<Real> u;
-    Modes<Real> w;
-    find_motion_modes<K>(from, u, w);
-    const V<Real> zero = hn::Zero(D<Real>{});
-    outcome = {zero, zero, zero, zero};
-    find_mode_forces<K>(k, u, w, forces, outcome);
-}
-
 /// The bits of the lanes of a vector, from a byte for each batch.
 template <class Real>
 HWY_INLINE unsigned lanes_at(const std::uint8_t* of_batch, std::size_t site) {
@@ -94,38 +60,58 @@ HWY_INLINE void add_to_sums(StandardView<Real>& v, const StandardOutcome<Real>& 
     }
 }
 
-/// Sweeps the vector at the place `at` of a row. All its corners must be in the base layer.
-template <class K, class Real>
-HWY_NOINLINE void sweep_standard_base(StandardView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
-                                      unsigned present, StandardSums<Real>& sums) {
-    const StandardConstants<Real> k = v.constants;
-    constexpr unsigned all = (1U << vector_lanes<Real>)-1;
-    Modes<Real> forces;
-    StandardOutcome<Real> outcome;
-    find_forces<K>(k, plain_corners_at(v, run, at), forces, outcome);
+/// Sets the forces of void lanes to zero.
+template <class Real>
+CRACKSIM_INLINE void keep(unsigned present, Modes<Real>& forces) {
     for_each<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
-        SideValues<Real> on = corner_values<axis>(forces);
-        for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
-            if (HWY_UNLIKELY(present != all)) {
-                on.lower[side] = of_lanes<Real>(present, on.lower[side]);
-                on.upper[side] = of_lanes<Real>(present, on.upper[side]);
-            }
-            add_component_to_side<side, axis>(on.lower[side], on.upper[side], run, at);
+        for_each<3>([&](auto i) CRACKSIM_INLINE_LAMBDA {
+            forces.mean[i][axis] = of_lanes<Real>(present, forces.mean[i][axis]);
+        });
+        for_each<hourglasses>([&](auto p) CRACKSIM_INLINE_LAMBDA {
+            forces.hourglass[p][axis] = of_lanes<Real>(present, forces.hourglass[p][axis]);
         });
     });
-    std::fill_n(run.has_before, Lattice::sides, true);
-    add_to_sums<K>(v, outcome, row.first_site + at, sums);
+}
+
+/// Sweeps consecutive vectors of a row, from the place `at` until one has no entity, or a corner in the pool. Returns
+/// the place of that vector.
+template <class K, class Real>
+HWY_NOINLINE std::size_t sweep_standard_base(StandardView<Real>& v, const RowView& row, RowRun<Real>& run,
+                                             std::size_t at, StandardSums<Real>& sums) {
+    const StandardConstants<Real> k = v.constants;
+    constexpr unsigned all = (1U << vector_lanes<Real>)-1;
+    for (; at < row.sites && is_base(v, row.first_site + at); at += vector_lanes<Real>) {
+        const unsigned present = lanes_at<Real>(v.present, row.first_site + at);
+        if (present == 0) {
+            break;
+        }
+        Modes<Real> forces;
+        StandardOutcome<Real> outcome;
+        find_mode_forces<K>(k, plain_corners_at(v, run, at), forces, outcome);
+        if (HWY_UNLIKELY(present != all)) {
+            keep<Real>(present, forces);
+        }
+        for_each<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
+            const SideValues<Real> on = corner_values<axis>(forces);
+            for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
+                add_component_to_side<side, axis>(on.lower[side], on.upper[side], run, at);
+            });
+        });
+        std::fill_n(run.has_before, Lattice::sides, true);
+        add_to_sums<K>(v, outcome, row.first_site + at, sums);
+    }
+    return at;
 }
 
 /// The forces on the corners of a vector's entities.
 template <class Real>
-CRACKSIM_INLINE void find_corner_forces(const Modes<Real>& modes, unsigned present, Forces<Real>& forces) {
+CRACKSIM_INLINE void find_corner_forces(const Modes<Real>& modes, Forces<Real>& forces) {
     for_each<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
         const SideValues<Real> on = corner_values<axis>(modes);
         for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
             constexpr auto corners = Lattice::corners_of_side[side];
-            component<axis>(forces.f[corners[0]]) = of_lanes<Real>(present, on.lower[side]);
-            component<axis>(forces.f[corners[1]]) = of_lanes<Real>(present, on.upper[side]);
+            component<axis>(forces.f[corners[0]]) = on.lower[side];
+            component<axis>(forces.f[corners[1]]) = on.upper[side];
         });
     });
 }
@@ -140,9 +126,10 @@ HWY_NOINLINE void sweep_standard_split(StandardView<Real>& v, const RowView& row
     assemble(v, row, at, assembled);
     Modes<Real> modes;
     StandardOutcome<Real> outcome;
-    find_forces<K>(k, assembled, modes, outcome);
+    find_mode_forces<K>(k, assembled, modes, outcome);
+    keep<Real>(present, modes);
     Forces<Real> forces;
-    find_corner_forces(modes, present, forces);
+    find_corner_forces(modes, forces);
     add_to_pool(v, site, forces);
     add_side_in_base<0>(v, site, forces, run, at);
     add_side_in_base<1>(v, site, forces, run, at);
@@ -157,16 +144,19 @@ void sweep_standard_vectors(StandardView<Real>& v, const RowView& row) {
     std::fill_n(v.stretched + row.first_site / Lattice::lanes, row.sites / Lattice::lanes, std::uint8_t{0});
     StandardSums<Real> sums{hn::Zero(d), hn::Zero(d)};
     RowRun<Real> run = begin_run(v, row);
-    for (std::size_t at = 0; at < row.sites; at += vector_lanes<Real>) {
+    for (std::size_t at = 0; at < row.sites;) {
         const std::size_t site = row.first_site + at;
         const unsigned present = lanes_at<Real>(v.present, site);
+        if (present != 0 && is_base(v, site)) {
+            at = sweep_standard_base<K>(v, row, run, at, sums);
+            continue;
+        }
         if (present == 0) {
             deliver(run, at);
-        } else if (is_base(v, site)) {
-            sweep_standard_base<K>(v, row, run, at, present, sums);
         } else {
             sweep_standard_split<K>(v, row, run, at, present, sums);
         }
+        at += vector_lanes<Real>;
     }
     deliver(run, row.sites);
     v.dissipated += hn::GetLane(hn::SumOfLanes(d, sums.dissipated));
@@ -207,9 +197,9 @@ void sweep_gathered_standard(const StandardView<Real>& v, GatheredEntities<Real>
         }
         Modes<Real> modes;
         StandardOutcome<Real> outcome;
-        find_forces<K>(k, assembled, modes, outcome);
+        find_mode_forces<K>(k, assembled, modes, outcome);
         Forces<Real> forces;
-        find_corner_forces(modes, ~0U, forces);
+        find_corner_forces(modes, forces);
         for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
             store3(forces.f[c], entities.force[0][c] + lane, stride);
         }

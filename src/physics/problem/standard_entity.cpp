@@ -1,4 +1,4 @@
-#include "physics/standard_entity.hpp"
+#include "physics/problem/standard_entity.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
