@@ -18,6 +18,7 @@ struct SerialBlock {
     physics::KelvinVoigt edges{0.2, 0.04};
     physics::KelvinVoigt diagonals{0.3, 0.06};
     physics::DupletKind duplets{physics::DupletKind::corners};
+    physics::SensorKind sensors{physics::SensorKind::normal};
     physics::Thresholds thresholds{[](Vec3) { return 0.02; }, std::nullopt};
     std::vector<physics::Support> supports{};
     std::vector<physics::Notch> notches{};
@@ -39,6 +40,7 @@ struct SerialBlock {
                                  .entities = IdArray<LocalEntity, EntityId>{std::move(ids)},
                                  .owned = IdArray<LocalEntity, std::uint8_t>{std::move(owned)},
                                  .duplets = duplets,
+                                 .sensors = sensors,
                                  .thresholds = thresholds,
                                  .supports = supports,
                                  .notches = notches}};

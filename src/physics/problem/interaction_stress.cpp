@@ -24,6 +24,12 @@ double stretch(double strain) { return strain / (std::sqrt(std::max(1 + strain, 
 
 }  // namespace
 
+bool is_calibrated(const EntityModel& model) {
+    const Vec3 edge = model.rest_corner[6];
+    const double ratio = model.interaction[HexahedronPairs::edges].stiffness / model.interaction[0].stiffness;
+    return edge.x == edge.y && edge.y == edge.z && std::abs(ratio - 1.5) < 1e-9;
+}
+
 SymmetricTensor interaction_stress(const EntityModel& model, const CornerDisplacements& u) {
     const auto stretch_of = [&](std::size_t i) { return stretch(quadratic_strain(model, u, i)); };
     std::array<double, 3> along{};

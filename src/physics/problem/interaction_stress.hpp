@@ -16,6 +16,9 @@ namespace cracksim::physics {
 //
 // It is the elastic stress in the entity's rest frame: rotations do not change lengths.
 
+/// True if the entity's stiffnesses are calibrated so, for some E.
+[[nodiscard]] bool is_calibrated(const EntityModel& model);
+
 using CornerDisplacements = std::array<Vec3, Hexahedron::corners>;
 
 /// S/E. u: displacements of the corners from rest, m.

@@ -86,6 +86,12 @@ TEST(InteractionStress, IsTheVirialSumOfTheInteractions) {
     }
 }
 
+TEST(InteractionStress, IsOfCalibratedCubes) {
+    EXPECT_TRUE(is_calibrated(cube()));
+    EXPECT_FALSE(is_calibrated({{edge, edge, 2 * edge}, 0.1, {0.2, 0}, {0.3, 0}}));
+    EXPECT_FALSE(is_calibrated({{edge, edge, edge}, 0.1, {0.2, 0}, {0.2, 0}}));
+}
+
 TEST(InteractionStress, IsExactlyZeroAtRestAndInTranslation) {
     const CornerDisplacements moved = affine(Eigen::Matrix3d::Identity(), {0, 0, 0});
     EXPECT_EQ(interaction_stress(cube(), moved), SymmetricTensor{});
