@@ -107,7 +107,7 @@ def scheme_ab2_with_supports(workplace, quick):
 
 
 def stress_sensors(workplace, quick):
-    """Several ranks decide about an interface, each with its own copy of both entities."""
+    """Several ranks decide about a face, each with its own copy of both entities."""
     sensors = {"kind": "stress", "threshold": 0.02, "weibull": {"shape": 8, "seed": 1}}
     for precision in ("double", "single"):
         for duplets in ("corners", "tree"):

@@ -34,7 +34,7 @@ public:
 
     void sense() {
         if (scene_.sensors == Sensors::stress) {
-            loads_ = interface_loads(scene_, u_);
+            loads_ = face_loads(scene_, u_);
         }
         for (std::size_t d = 0; d < duplets_.size(); ++d) {
             if (active_[d]) {
@@ -195,7 +195,7 @@ private:
     const Scene& scene_;
     std::vector<Duplet> duplets_;
     std::vector<double> threshold_;   ///< by duplet
-    std::vector<double> loads_;       ///< of the interfaces, at the current step
+    std::vector<double> loads_;       ///< of the faces, at the current step
     std::vector<bool> active_;        ///< by duplet
     std::vector<std::size_t> union_;  ///< by mass: the smallest mass of its union
     std::vector<Vector> rest_, u_, w_, w_before_, force_;

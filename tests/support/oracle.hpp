@@ -10,7 +10,7 @@
 /// and Mass-union is computed from its definition. It shares no code with cracksim, whose results are compared with it.
 namespace cracksim::oracle {
 
-/// The decision of a sensor about a duplet at a step. margin: distance of the stretch, or of the interface's load, from
+/// The decision of a sensor about a duplet at a step. margin: distance of the stretch, or of the face's load, from
 /// the threshold, over the threshold.
 struct Decision {
     std::int64_t step;

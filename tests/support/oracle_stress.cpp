@@ -54,7 +54,7 @@ double load(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b, std::size_t axis
 
 }  // namespace
 
-std::vector<double> interface_loads(const Scene& scene, const std::vector<Vector>& u) {
+std::vector<double> face_loads(const Scene& scene, const std::vector<Vector>& u) {
     std::vector<Eigen::Matrix3d> stresses;
     for (std::size_t e = 0; e < entity_count(scene); ++e) {
         stresses.push_back(stress(scene, u, e));

@@ -64,17 +64,17 @@ std::vector<double> loads_of_two(const Vector& strain) {
         const double x = edge * static_cast<double>(m / 8 + (right ? 1 : 0));
         u.push_back({strain[0] * x, back ? strain[1] * edge : 0, m % 8 > 3 ? strain[2] * edge : 0});
     }
-    return interface_loads(scene, u);
+    return face_loads(scene, u);
 }
 
-TEST(InterfaceLoads, AreTheStressWhereTheFaceBestFacesIt) {
+TEST(FaceLoads, AreTheStressWhereTheFaceBestFacesIt) {
     // The stress over E of a strain e along x is (1.2, 0.4, 0.4) e.
     EXPECT_NEAR(loads_of_two({1e-6, 0, 0})[0], 1.2e-6, 1e-11);
     EXPECT_NEAR(loads_of_two({0.01, 0.01, 0.01})[0], 0.02, 1e-15);
     EXPECT_NEAR(loads_of_two({1.25e-6 - 0.25e-6, -0.25e-6, -0.25e-6})[0], 1e-6, 1e-11);
 }
 
-TEST(InterfaceLoads, AreSmallerByTheSquareWhereAnotherFaceIsBetter) {
+TEST(FaceLoads, AreSmallerByTheSquareWhereAnotherFaceIsBetter) {
     EXPECT_NEAR(loads_of_two({0, 1e-6, 0})[0], 1.2e-6 / 9, 1e-11);
     EXPECT_EQ(loads_of_two({-1e-6, -1e-6, -1e-6})[0], 0);
     EXPECT_EQ(loads_of_two({1e-6, 0, 0})[1], 0);

@@ -38,7 +38,7 @@ void load(const Eigen::Matrix3d& stress, test::Body& body) {
     body.forces(Measure::nothing);
 }
 
-/// The factor at which a stress opens the first interfaces, and the axes of these.
+/// The factor at which a stress opens the first faces, and the axes of these.
 struct Strength {
     double factor;
     std::set<int> axes;

@@ -48,12 +48,12 @@ std::vector<std::int32_t> undecided_faces(const State& state, Engine& engine, Pr
     return faces;
 }
 
-/// A rank holds the duplets that tie masses of its touched unions, so it must decide every interface with such a
-/// duplet. It can: a touched union's masses belong to local entities only, so both entities are local, with all their
-/// masses, advanced or received. All ranks that decide an interface decide alike without a message: displacements and
-/// part numbers of received masses are those of their owners bit for bit, and the stresses, the threshold and the
-/// decision follow from them, with A the entity of the smaller global id on every rank. Each rank then inactivates the
-/// duplets that it holds; together these are all active duplets of the interface.
+/// A rank holds the duplets that tie masses of its touched unions, so it must decide every face with such a duplet. It
+/// can: a touched union's masses belong to local entities only, so both entities are local, with all their masses,
+/// advanced or received. All ranks that decide a face decide alike without a message: displacements and part numbers of
+/// received masses are those of their owners bit for bit, and the stresses, the threshold and the decision follow from
+/// them, with A the entity of the smaller global id on every rank. Each rank then inactivates the duplets that it
+/// holds; together these are all active duplets of the face.
 std::vector<LocalDuplet> sense_faces(const Network& network, const State& state, Engine& engine, Prefilter prefilter) {
     const std::vector<std::int32_t> faces = undecided_faces(state, engine, prefilter);
     std::vector<LocalEntity> entities;

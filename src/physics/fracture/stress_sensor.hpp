@@ -7,7 +7,7 @@
 
 namespace cracksim::physics {
 
-// The sensor `stress` decides about an interface from the stresses of its two entities. All functions compute with
+// The sensor `stress` decides about an interior face from the stresses of its two entities. All functions compute with
 // + - * / and sqrt only, so their bits are the same on every machine.
 
 /// Eigenvalues and the components of their unit eigenvectors: vector[i] belongs to value[i], in no special order.
@@ -24,9 +24,9 @@ struct Eigenpairs {
 /// True only if all eigenvalues are at most the bound: bound I - tensor has pivots > 0, > 0 and >= 0.
 [[nodiscard]] bool is_bounded(const SymmetricTensor& tensor, double bound);
 
-/// True if an interface opens. a, b: the stresses of its two entities at rest axes, over Young's modulus; axis: that of
-/// the interface's normal; threshold s: a stretch. With M = (a + b)/2, its eigenpairs l_i, v_i and the largest
-/// eigenvalue l_1(.) of a tensor,
+/// True if a face opens. a, b: stresses of its two entities along the rest axes, over Young's modulus; axis: that of
+/// the face's normal; threshold s: a stretch. With M = (a + b)/2, its eigenpairs l_i, v_i and the largest eigenvalue
+/// l_1(.) of a tensor,
 ///
 ///     r_j = sum over l_i > 0 of l_i^2 (v_i)_j^2,   lambda = 3/4 l_1(M) + 1/4 min(l_1(a), l_1(b)),
 ///

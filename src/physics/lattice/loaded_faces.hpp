@@ -10,9 +10,9 @@
 
 namespace cracksim::physics {
 
-/// The prefilter of the sensors `stress` on the lattice. With a bound b of the largest eigenvalue of each entity's stress
-/// (problem/interaction_stress.hpp) it is exact: an interface of A and B opens only if (b_A + b_B)/2 > s, because
-/// l_1((A + B)/2) and min(l_1(A), l_1(B)) are at most (l_1(A) + l_1(B))/2, and so is lambda.
+/// The prefilter of the sensors `stress` on the lattice. With a bound b of the largest eigenvalue of each entity's
+/// stress (problem/interaction_stress.hpp) it is exact: a face of A and B opens only if (b_A + b_B)/2 > s,
+/// because l_1((A + B)/2) and min(l_1(A), l_1(B)) are at most (l_1(A) + l_1(B))/2, and so is lambda.
 class LoadedFaces {
 public:
     /// The interior faces with active duplets that may open, in any order; a face may occur twice.

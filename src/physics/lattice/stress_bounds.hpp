@@ -15,8 +15,8 @@ namespace cracksim::physics {
 /// interaction_stress_bound() returns: a margin of 2e-13 and 1e-12 of the bound, rounded up.
 [[nodiscard]] float stress_bound_with_margin(double bound);
 
-/// Computes this bound for the entities of a row, with the SIMD target in use, by site. It is not set for the entities of
-/// half batches with pooled corners, and has no meaning at void sites.
+/// Computes this bound for the entities of a row, with the SIMD target in use, by site. It has no meaning for the
+/// entities of half batches with pooled corners, which need interaction_stress_bound(), and at void sites.
 void find_stress_bounds(const EntityModel& model, const Lattice::CellRow& row, const Motion& motion,
                         const PooledHalves& pooled, std::span<float> bound);
 

@@ -179,7 +179,7 @@ TEST(Sensor, NeverTriggersAtAnInfiniteThreshold) {
     EXPECT_TRUE(body.sense(Prefilter::off).empty());
 }
 
-/// Random displacements of a block whose sensors decide by interface.
+/// Random displacements of a block whose sensors decide by face.
 struct ShakenBlock {
     explicit ShakenBlock(DupletKind duplets, std::uint64_t seed)
         : network{network_of(duplets)}, body{network, Scheme::cordis, 0.3} {
@@ -197,7 +197,7 @@ struct ShakenBlock {
     test::Body body;
 };
 
-TEST(StressSensors, BreakAllDupletsOfAnInterfaceTogether) {
+TEST(StressSensors, BreakAllDupletsOfAFaceTogether) {
     for (const DupletKind duplets : {DupletKind::corners, DupletKind::tree}) {
         std::size_t opened = 0;
         for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -212,13 +212,13 @@ TEST(StressSensors, BreakAllDupletsOfAnInterfaceTogether) {
                 EXPECT_TRUE(left == 0 || left == before.of_face(f)) << "seed " << seed << ", face " << f;
                 opened += left == 0 && before.of_face(f) != 0 ? 1U : 0U;
             }
-            EXPECT_TRUE(block.body.sense().empty()) << "opened interfaces open again";
+            EXPECT_TRUE(block.body.sense().empty()) << "opened faces open again";
         }
         EXPECT_GT(opened, 100U);
     }
 }
 
-TEST(StressSensors, BreakWithDupletsTreeTheInterfacesOfDupletsCorners) {
+TEST(StressSensors, BreakWithDupletsTreeTheFacesOfDupletsCorners) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         ShakenBlock corners{DupletKind::corners, seed};
         ShakenBlock tree{DupletKind::tree, seed};
