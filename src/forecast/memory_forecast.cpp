@@ -5,6 +5,7 @@
 
 #include "core/hexahedron.hpp"
 #include "io/frame_writer.hpp"
+#include "physics/lattice/loaded_faces.hpp"
 #include "physics/lattice/stretched_sensors.hpp"
 #include "physics/problem/network.hpp"
 #include "physics/state/state.hpp"
@@ -53,9 +54,10 @@ bool has_one_threshold(const scene::SensorSettings& sensors) {
 }
 
 /// The network without the lattice; state_bytes() includes the lattice.
-double network_bytes(const RankCounts& counts, bool one_threshold) {
+double network_bytes(const RankCounts& counts, const scene::SensorSettings& sensors) {
     constexpr double per_entity = sizeof(EntityId) + sizeof(std::uint8_t) + Hexahedron::faces * sizeof(std::int32_t);
-    const double thresholds = one_threshold ? 0 : duplets * sizeof(double);
+    const double sensors_of_face = sensors.kind == physics::SensorKind::stress ? 1 : duplets;
+    const double thresholds = has_one_threshold(sensors) ? 0 : sensors_of_face * sizeof(double);
     const double per_face = sizeof(physics::InteriorFace) + thresholds + sizeof(std::uint8_t);
     return number(counts.local) * per_entity + number(counts.interior_faces) * per_face +
            number(counts.received) * (sizeof(LocalMass) + sizeof(std::size_t) + sizeof(physics::ReceivedUnions::Entry));
@@ -237,7 +239,9 @@ double share_opened(const RankCounts& counts, double broken) {
 
 double model_bytes(const scene::Scene& scene, const RankCounts& counts, double broken) {
     const double opened = share_opened(counts, broken);
-    return network_bytes(counts, has_one_threshold(scene.sensors)) + state_bytes(counts, scene.time) +
+    const bool by_stress = scene.sensors.kind == physics::SensorKind::stress;
+    const double bounds = by_stress ? number(counts.sites) * physics::LoadedFaces::bytes_per_site() : 0;
+    return network_bytes(counts, scene.sensors) + state_bytes(counts, scene.time) + bounds +
            pool_bytes(counts, scene.time, opened) + coat_bytes(counts, opened);
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/hexahedron.hpp"
 #include "core/ids.hpp"
+#include "core/symmetric_tensor.hpp"
 #include "core/vec3.hpp"
 #include "physics/problem/duplets.hpp"
 #include "physics/problem/lattice.hpp"
@@ -63,9 +64,15 @@ public:
     /// Updates the caches. reparted: the vertices where parts of masses changed. weakened: the vertices where duplets
     /// became inactive, and those of `reparted`. Each list contains a vertex once. May reorder the motion's pool.
     virtual void changed(State& state, std::span<const VertexSite> reparted, std::span<const VertexSite> weakened) = 0;
-    /// The active duplets whose sensors may trigger at the state of the last forces, in any order; a duplet may occur
-    /// twice. Every duplet whose sensor triggers is among them.
+    /// Sensors `normal`: the active duplets whose sensors may trigger at the state of the last forces, in any order; a
+    /// duplet may occur twice. Every duplet whose sensor triggers is among them.
     [[nodiscard]] virtual std::vector<LocalDuplet> may_trigger(const State& state) = 0;
+    /// Sensors `stress`: the interior faces with active duplets that may open at the state of the last forces, in any
+    /// order; a face may occur twice. Every face that opens is among them.
+    [[nodiscard]] virtual std::vector<std::int32_t> faces_that_may_open(const State& state) = 0;
+    /// The elastic stress of an entity in its rest frame, over Young's modulus. Its bits depend only on the network and
+    /// the displacements of the entity's corners.
+    [[nodiscard]] virtual SymmetricTensor stress(const State& state, LocalEntity e) const = 0;
     [[nodiscard]] virtual std::size_t memory_bytes() const = 0;
 
 protected:

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/hexahedron.hpp"
+#include "core/symmetric_tensor.hpp"
 #include "core/vec3.hpp"
 #include "physics/problem/standard_entity.hpp"
 
@@ -30,9 +31,6 @@ namespace cracksim::physics {
 // times the stiffness. If D or N2 is below 1e-200, the terms with it are 0.
 
 using CornerVectors = std::array<Vec3, Hexahedron::corners>;
-
-/// A symmetric tensor: xx, yy, zz, yz, xz, xy.
-using SymmetricTensor = std::array<double, 6>;
 
 /// Elastic energy U + U_h, J. u: displacements of the corners, m.
 [[nodiscard]] double standard_energy(const StandardEntity& entity, const CornerVectors& u);

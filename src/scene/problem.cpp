@@ -109,6 +109,7 @@ physics::Network build_network(const partition::Communicator& comm, const Scene&
                               .entities = decomposition.entities,
                               .owned = decomposition.owned,
                               .duplets = scene.duplets,
+                              .sensors = scene.sensors.kind,
                               .thresholds = thresholds(scene),
                               .supports = supports(scene),
                               .notches = notches(scene.notches, scene.block)}};

@@ -100,7 +100,8 @@ std::string notches_text(const std::vector<NotchSettings>& notches) {
 }
 
 std::string sensors_text(const SensorSettings& sensors) {
-    std::string text = "sensors:\n  kind: normal\n";
+    std::string text =
+        std::string{"sensors:\n  kind: "} + (sensors.kind == physics::SensorKind::stress ? "stress" : "normal") + "\n";
     text += std::string{sensors.from_fracture_energy ? "  # from material.fracture_energy: " : "  "} +
             "threshold: " + yaml(sensors.threshold) + "\n";
     if (sensors.weibull) {

@@ -9,6 +9,7 @@
 #include "core/vec3.hpp"
 #include "io/expression.hpp"
 #include "physics/problem/network.hpp"
+#include "physics/problem/sensor_kind.hpp"
 #include "physics/problem/stability.hpp"
 #include "physics/problem/thresholds.hpp"
 #include "physics/state/motion.hpp"
@@ -31,11 +32,10 @@ struct NetworkSettings {
     physics::KelvinVoigt diagonal;
 };
 
-enum class SensorKind { normal };
 enum class PartitionKind { metis, slab, random };
 
 struct SensorSettings {
-    SensorKind kind;
+    physics::SensorKind kind;
     io::Expression threshold;   ///< a stretch, as a function of the rest position
     bool from_fracture_energy;  ///< the threshold follows from Material::fracture_energy
     std::optional<physics::Weibull> weibull;

@@ -44,20 +44,41 @@ std::optional<physics::Weibull> read_weibull(const MaybeNode& sensors) {
     return physics::Weibull{value, static_cast<std::uint64_t>(chosen)};
 }
 
+/// Refuses what the sensors `stress` cannot work with.
+void check_stress_sensors(const InputNode& root, const InputNode& kind) {
+    const MaybeNode material = root.find("material");
+    if (!material) {
+        kind.fail("'stress' needs Young's modulus, which network does not give; use material, or take normal");
+    }
+    if (const MaybeNode energy = material->find("fracture_energy")) {
+        refuse_for_now(*energy,
+                       "with sensors.kind: stress the constant that relates it to a threshold is not measured; give "
+                       "sensors.threshold in its place, or take sensors.kind: normal");
+    }
+}
+
+physics::SensorKind read_sensor_kind(const InputNode& root, const MaybeNode& sensors) {
+    constexpr std::array<std::pair<std::string_view, physics::SensorKind>, 2> kinds{
+        {{"normal", physics::SensorKind::normal}, {"stress", physics::SensorKind::stress}}};
+    const MaybeNode node = find(sensors, "kind");
+    const physics::SensorKind kind = node ? enumerator(*node, kinds) : physics::SensorKind::normal;
+    if (kind == physics::SensorKind::stress) {
+        check_stress_sensors(root, *node);
+    }
+    return kind;
+}
+
 SensorSettings read_sensors(const InputNode& root, const std::optional<Material>& material, double edge) {
-    constexpr std::array<std::pair<std::string_view, SensorKind>, 1> kinds{{{"normal", SensorKind::normal}}};
-    constexpr std::array<std::string_view, 2> later{"wide", "full"};
     const MaybeNode node = find_section(root, "sensors", "sensors");
-    const MaybeNode kind = find(node, "kind");
+    const physics::SensorKind kind = read_sensor_kind(root, node);
     const MaybeNode threshold = find(node, "threshold");
     const bool calibrated = !threshold && material && material->fracture_energy;
     if (!threshold && !calibrated) {
         (node ? *node : root)
-            .fail(
-                "nothing says when a duplet lets go; give sensors.threshold (a stretch, .inf: never) or "
-                "material.fracture_energy (J/m2)");
+            .fail(std::string{"nothing says when a duplet lets go; give sensors.threshold (a stretch, .inf: never)"} +
+                  (kind == physics::SensorKind::stress ? "" : " or material.fracture_energy (J/m2)"));
     }
-    return {kind ? enumerator(*kind, kinds, later) : SensorKind::normal,
+    return {kind,
             calibrated ? io::Expression{calibrated_threshold(*material->fracture_energy, material->young, edge)}
                        : read_threshold(*threshold),
             calibrated, read_weibull(node), boolean_or(node, "prefilter", true)};

@@ -87,6 +87,7 @@ TEST(ModelBytes, AreWhatNetworkStateAndMapHold) {
     const std::vector<std::pair<const char*, const char*>> cases{{"cordis", "threshold: 0.02"},
                                                                  {"ab2", "threshold: 0.02"},
                                                                  {"cordis", "threshold: 0.02 + x"},
+                                                                 {"cordis", "kind: stress, threshold: 0.02 + x"},
                                                                  {"cordis", "threshold: 0.02, weibull: {shape: 4}"},
                                                                  {"cordis", "threshold: .inf, weibull: {shape: 4}"}};
     for (const auto& [scheme, sensors] : cases) {

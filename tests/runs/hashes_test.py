@@ -106,6 +106,21 @@ def scheme_ab2_with_supports(workplace, quick):
                     f"partition.kind={partition}", ranks=ranks)
 
 
+def stress_sensors(workplace, quick):
+    """Several ranks decide about a face, each with its own copy of both entities."""
+    sensors = {"kind": "stress", "threshold": 0.02, "weibull": {"shape": 8, "seed": 1}}
+    for precision in ("double", "single"):
+        for duplets in ("corners", "tree"):
+            what = f"sensors stress, {precision}, {duplets}"
+            scene = cracking_scene(sensors=sensors, duplets=duplets, time={"end": 0.06, "precision": precision})
+            expected = reference(workplace, scene, 150, what)
+            for ranks in (3,) if quick else (1, 2, 3, 4):
+                for partition in ("metis", "slab"):
+                    for prefilter in ("true", "false"):
+                        compare(workplace, scene, expected, what, "--audit", "--set", f"partition.kind={partition}",
+                                "--set", f"sensors.prefilter={prefilter}", ranks=ranks)
+
+
 def single_precision(workplace, quick):
     for scheme, more in (("cordis", {}), ("ab2", {"supports": PULLED})):
         scene = cracking_scene(time={"end": 0.06, "scheme": scheme, "precision": "single"}, **more)
@@ -244,7 +259,7 @@ def release_and_second_build_agree(workplace, quick):
 
 
 TESTS = [any_ranks_and_partition, energies_are_the_same_on_any_ranks, hashes_tell_runs_apart, any_rates,
-         prefilter_on_and_off, wide_rows, scheme_ab2_with_supports, single_precision, every_simd_target,
+         prefilter_on_and_off, wide_rows, scheme_ab2_with_supports, single_precision, stress_sensors, every_simd_target,
          boxes_of_a_network, tree_of_duplets, ranks_without_an_entity, random_scenes, frames_do_not_depend_on_ranks]
 if __name__ == "__main__":
     if "CRACKSIM_SECOND_BINARY" in os.environ:

@@ -121,8 +121,18 @@ FORM = [
     Row("negative viscosity", MATERIAL, NETWORK.replace("0.1", "-0.1"),
         ":3:52: network.edge.viscosity: needs a number, 0 N s/m or above, not '-0.1'"),
     Row("unknown duplets", "corners", "edges", ":4:10: duplets: does not know 'edges'; take one of corners, tree"),
-    Row("sensor that comes later", "kind: normal", "kind: wide",
-        ":5:17: sensors.kind: not available in cracksim 0.1; 'wide' comes later; take normal"),
+    Row("unknown sensor", "kind: normal", "kind: wide",
+        ":5:17: sensors.kind: does not know 'wide'; take one of normal, stress"),
+    Row("stress of a network", f"{MATERIAL}\nduplets: corners\nsensors: {{kind: normal",
+        f"{NETWORK}\nduplets: corners\nsensors: {{kind: stress",
+        ":5:17: sensors.kind: 'stress' needs Young's modulus, which network does not give; use material, or take "
+        "normal"),
+    Row("fracture energy for stress", "damping: 0.2}\nduplets: corners\nsensors: {kind: normal",
+        "fracture_energy: 1}\nduplets: corners\nsensors: {kind: stress",
+        ":3:73: material.fracture_energy: not available in cracksim 0.1; with sensors.kind: stress the constant that "
+        "relates it to a threshold is not measured; give sensors.threshold in its place, or take sensors.kind: normal"),
+    Row("stress without a threshold", "kind: normal, threshold: 0.02", "kind: stress",
+        ":5:1: sensors: nothing says when a duplet lets go; give sensors.threshold (a stretch, .inf: never)"),
     Row("no threshold", "threshold: 0.02, ", "",
         ":5:1: sensors: nothing says when a duplet lets go; give sensors.threshold (a stretch, .inf: never) or "
         "material.fracture_energy (J/m2)"),

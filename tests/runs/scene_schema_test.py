@@ -50,7 +50,7 @@ VALUES = [None, True, False, -1, 0, 1, 2, 0.25, 1.5, -0.5, 2147483648, "", "no s
           *SHAPES.values(), "x" * 61, 1e-12, [0, -2, 0],
           *([[0, 0, 0], [1, 0, 0], corner, [0, 1, 0]]
             for corner in ([1, 1, 0], [1, 1, 1], [-1, 1, 0], [1, 1], [1, 1, "x"])),
-          "tetrahedron", "tree", "wide", "full", "rk4", "implicit", "static"]
+          "tetrahedron", "tree", "rk4", "implicit", "static"]
 # Values whose spelling matters, written as in a file; every key is tested with them too.
 TEXTS = ['"50"', "'1'", '"0.25"', '"1e3"', '"-1"', '"true"', '"null"', '""', ".inf", "-.inf", ".Inf", "-.INF", '".inf"',
          ".nan", "inf", "1e400", "-1e400", '"1e400"', "1e3", "4.0", "+1", "True", "FALSE", "yes", "Null", "~", "0x10",
@@ -107,7 +107,8 @@ def own_values(schema):
 
 def scene_of(path, value):
     """A scene that is valid except for this value. A notch has only the surface that the path names."""
-    scene = copy.deepcopy(BY_MATERIAL if path[0] == "material" else BY_NETWORK)
+    needs_material = path[0] == "material" or path == ("sensors", "kind")
+    scene = copy.deepcopy(BY_MATERIAL if needs_material else BY_NETWORK)
     place = scene
     if path[0] == "notches":
         shape = path[3] if len(path) > 3 else "disc"

@@ -30,7 +30,10 @@ void draw_material(SceneDraft& draft) {
     draft.scene.diagonals = {0.3 * edge * young, 0.3 * edge * young * relaxation};
     draft.text << "material: {young: " << number_text(young) << ", density: " << number_text(density)
                << ", damping: " << number_text(damping);
-    if (draft.option(0.55, "fracture energy", "threshold given")) {
+    // The fracture energy is related to the threshold of `normal` sensors only.
+    if (draft.option(0.6, "stress", "normal of a material")) {
+        draft.scene.sensors = oracle::Sensors::stress;
+    } else if (draft.option(0.6, "fracture energy", "threshold given")) {
         draw_fracture_energy(draft, young);
     }
     draft.text << "}\n";
@@ -54,7 +57,8 @@ void draw_network(SceneDraft& draft) {
 }
 
 Formula draw_zones(SceneDraft& draft, std::size_t axis) {
-    const double middle = std::floor(draft.number(0, static_cast<double>(draft.scene.cells[axis]))) + 0.5;
+    // Between vertices and centres, so that rounding decides nothing.
+    const double middle = std::floor(draft.number(0, static_cast<double>(draft.scene.cells[axis]))) + 0.25;
     return below(coordinate(axis), constant(draft.place(axis, middle)), constant(draft.typical_threshold),
                  constant(2 * draft.typical_threshold));
 }
@@ -100,7 +104,7 @@ void draw_block(SceneDraft& draft) {
     }
     const double edge = draft.magnitude(0.01, 2);
     scene.edge = {edge, edge, edge};
-    if (draft.option(0.35, "boxes", "cubes")) {
+    if (draft.option(0.3, "boxes", "cubes")) {
         scene.edge = {edge, rounded(draft.number(0.6, 1.6) * edge), rounded(draft.number(0.6, 1.6) * edge)};
     }
     if (draft.chance(0.7)) {
@@ -114,7 +118,7 @@ void draw_block(SceneDraft& draft) {
 
 void draw_matter(SceneDraft& draft) {
     draft.typical_threshold = draft.magnitude(0.002, 0.02);
-    if (draft.options.contains("cubes") && draft.option(0.65, "material", "network of cubes")) {
+    if (draft.options.contains("cubes") && draft.option(0.8, "material", "network of cubes")) {
         draw_material(draft);
     } else {
         draw_network(draft);
@@ -126,7 +130,8 @@ void draw_sensors(SceneDraft& draft) {
         draft.scene.duplets = oracle::Duplets::tree;
         draft.text << "duplets: tree\n";
     }
-    draft.text << "sensors: {" << draw_weibull(draft);
+    draft.text << "sensors: {" << (draft.scene.sensors == oracle::Sensors::stress ? "kind: stress, " : "")
+               << draw_weibull(draft);
     if (!draft.scene.threshold) {
         const Formula threshold = draw_threshold(draft);
         draft.scene.threshold = threshold.value;

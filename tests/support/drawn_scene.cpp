@@ -62,6 +62,8 @@ const std::vector<std::string>& drawable_options() {
                                               "damping",
                                               "no damping",
                                               "fracture energy",
+                                              "stress",
+                                              "normal of a material",
                                               "notches",
                                               "no notches",
                                               "rectangular notch",

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "support/oracle_block.hpp"
+#include "support/oracle_stress.hpp"
 
 namespace cracksim::oracle {
 
@@ -32,6 +33,9 @@ public:
     }
 
     void sense() {
+        if (scene_.sensors == Sensors::stress) {
+            loads_ = face_loads(scene_, u_);
+        }
         for (std::size_t d = 0; d < duplets_.size(); ++d) {
             if (active_[d]) {
                 decide(d);
@@ -82,15 +86,21 @@ private:
     }
 
     /// A duplet's sensor measures the distance of P and Q, the masses one edge off the shared face on either side.
-    void decide(std::size_t d) {
-        const auto& [a, b, axis] = duplets_[d];
+    [[nodiscard]] double stretch(const Duplet& duplet) const {
+        const auto& [a, b, axis] = duplet;
         const double rest = 2 * scene_.edge[axis];
         Vector distance = plus(u_[across(b, axis)], -1, u_[across(a, axis)]);
         distance[axis] += rest;
-        const double stretch = length(distance) / rest - 1;
-        const Decision decision{step_, a, b, std::abs(stretch / threshold_[d] - 1)};
+        return length(distance) / rest - 1;
+    }
+
+    void decide(std::size_t d) {
+        const auto& [a, b, axis] = duplets_[d];
+        const double measured =
+            scene_.sensors == Sensors::stress ? loads_[3 * (a / corners) + axis] : stretch(duplets_[d]);
+        const Decision decision{step_, a, b, std::abs(measured / threshold_[d] - 1)};
         outcome_.smallest_margin = std::min(outcome_.smallest_margin, decision.margin);
-        if (stretch > threshold_[d]) {
+        if (measured > threshold_[d]) {
             active_[d] = false;
             outcome_.events.push_back(decision);
         } else if (decision.margin < 1e-8) {
@@ -185,6 +195,7 @@ private:
     const Scene& scene_;
     std::vector<Duplet> duplets_;
     std::vector<double> threshold_;   ///< by duplet
+    std::vector<double> loads_;       ///< of the faces, at the current step
     std::vector<bool> active_;        ///< by duplet
     std::vector<std::size_t> union_;  ///< by mass: the smallest mass of its union
     std::vector<Vector> rest_, u_, w_, w_before_, force_;

@@ -10,7 +10,8 @@
 /// and Mass-union is computed from its definition. It shares no code with cracksim, whose results are compared with it.
 namespace cracksim::oracle {
 
-/// The decision of a sensor at a step. margin: distance of the stretch from the threshold, over the threshold.
+/// The decision of a sensor about a duplet at a step. margin: distance of the stretch, or of the face's load, from
+/// the threshold, over the threshold.
 struct Decision {
     std::int64_t step;
     std::size_t mass_a;
@@ -32,7 +33,8 @@ struct Outcome {
 /// vertex, a spanning tree of these duplets, breadth first from the smallest mass, neighbours in ascending order.
 [[nodiscard]] std::vector<Duplet> duplets(const Scene& scene);
 
-/// The threshold of a duplet: the field at its rest position times its Weibull factor, whose mean is 1.
+/// The threshold of a duplet: the field at its rest position times its Weibull factor, whose mean is 1. With sensors
+/// `stress`, field and factor are those of the face, at its centre and of its two entities.
 [[nodiscard]] double threshold(const Scene& scene, const Duplet& duplet);
 
 /// Runs a scene from the start to the last step; the sensors act once more at the last step.

@@ -55,11 +55,11 @@ std::uint64_t scramble(std::uint64_t v) {
     return v ^ (v >> 31U);
 }
 
-/// (-ln U)^(1/shape) / Gamma(1 + 1/shape); U in (0, 1) is a SplitMix64 hash of the seed and the masses.
-double weibull_factor(const Weibull& weibull, const Duplet& duplet) {
+/// (-ln U)^(1/shape) / Gamma(1 + 1/shape); U in (0, 1) is a SplitMix64 hash of the seed and two ids.
+double weibull_factor(const Weibull& weibull, std::size_t a, std::size_t b) {
     std::uint64_t key = scramble(weibull.seed);
-    key = scramble(key ^ scramble(duplet.a));
-    key = scramble(key ^ scramble(duplet.b));
+    key = scramble(key ^ scramble(a));
+    key = scramble(key ^ scramble(b));
     const double uniform = std::ldexp(static_cast<double>(key >> 12U) + 0.5, -52);
     return std::pow(-std::log(uniform), 1 / weibull.shape) / std::tgamma(1 + 1 / weibull.shape);
 }
@@ -83,8 +83,12 @@ std::vector<Duplet> duplets(const Scene& scene) {
 }
 
 double threshold(const Scene& scene, const Duplet& duplet) {
-    const double factor = scene.weibull ? weibull_factor(*scene.weibull, duplet) : 1;
-    return factor * scene.threshold(rest_position(scene, duplet.a), 0);
+    const bool by_face = scene.sensors == Sensors::stress;
+    const std::size_t a = by_face ? duplet.a / corners : duplet.a;
+    const std::size_t b = by_face ? duplet.b / corners : duplet.b;
+    const Vector at = by_face ? plus(centre(scene, a), 0.5, plus(centre(scene, b), -1, centre(scene, a)))
+                              : rest_position(scene, duplet.a);
+    return (scene.weibull ? weibull_factor(*scene.weibull, a, b) : 1) * scene.threshold(at, 0);
 }
 
 }  // namespace cracksim::oracle

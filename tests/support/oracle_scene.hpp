@@ -38,6 +38,7 @@ struct Notch {
 
 enum class Scheme { cordis, ab2 };
 enum class Duplets { corners, tree };
+enum class Sensors { normal, stress };
 
 /// A block of hexahedra, in SI units. Entity ids count x fastest, then y, then z; mass = 8 entity + corner, corners in
 /// VTK order.
@@ -50,6 +51,7 @@ struct Scene {
     Interaction diagonals;
     std::vector<Notch> notches;
     Duplets duplets;
+    Sensors sensors;
     Field threshold;  ///< stretch
     std::optional<Weibull> weibull;
     std::array<Field, 3> displacement;  ///< at the start

@@ -20,6 +20,7 @@ struct SerialBlock {
     physics::KelvinVoigt diagonals{0.3, 0.06};
     std::optional<physics::Solid> solid{};  ///< of standard entities; none: entities of the paper's network
     physics::DupletKind duplets{physics::DupletKind::corners};
+    physics::SensorKind sensors{physics::SensorKind::normal};
     physics::Thresholds thresholds{[](Vec3) { return 0.02; }, std::nullopt};
     std::vector<physics::Support> supports{};
     std::vector<physics::Notch> notches{};
@@ -44,6 +45,7 @@ struct SerialBlock {
                                  .entities = IdArray<LocalEntity, EntityId>{std::move(ids)},
                                  .owned = IdArray<LocalEntity, std::uint8_t>{std::move(owned)},
                                  .duplets = duplets,
+                                 .sensors = sensors,
                                  .thresholds = thresholds,
                                  .supports = supports,
                                  .notches = notches}};

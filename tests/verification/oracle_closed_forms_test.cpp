@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "support/oracle.hpp"
+#include "support/oracle_stress.hpp"
 
 namespace cracksim::oracle {
 namespace {
@@ -49,6 +50,34 @@ double breath(const Scene& scene) {
         EXPECT_NEAR(outcome.displacement[6][i], outcome.displacement[6][0], 1e-13);
     }
     return outcome.displacement[6][0] / (edge / 2);
+}
+
+/// Two cubes side by side along x, calibrated as an isotropic solid, and stretched evenly by these strains.
+std::vector<double> loads_of_two(const Vector& strain) {
+    Scene scene = cubes({2, 1, 1});
+    scene.edges.stiffness = 7;
+    scene.diagonals.stiffness = 1.5 * 7;
+    std::vector<Vector> u;
+    for (std::size_t m = 0; m < 16; ++m) {
+        const bool right = m % 8 == 1 || m % 8 == 2 || m % 8 == 5 || m % 8 == 6;
+        const bool back = m % 8 == 2 || m % 8 == 3 || m % 8 == 6 || m % 8 == 7;
+        const double x = edge * static_cast<double>(m / 8 + (right ? 1 : 0));
+        u.push_back({strain[0] * x, back ? strain[1] * edge : 0, m % 8 > 3 ? strain[2] * edge : 0});
+    }
+    return face_loads(scene, u);
+}
+
+TEST(FaceLoads, AreTheStressWhereTheFaceBestFacesIt) {
+    // The stress over E of a strain e along x is (1.2, 0.4, 0.4) e.
+    EXPECT_NEAR(loads_of_two({1e-6, 0, 0})[0], 1.2e-6, 1e-11);
+    EXPECT_NEAR(loads_of_two({0.01, 0.01, 0.01})[0], 0.02, 1e-15);
+    EXPECT_NEAR(loads_of_two({1.25e-6 - 0.25e-6, -0.25e-6, -0.25e-6})[0], 1e-6, 1e-11);
+}
+
+TEST(FaceLoads, AreSmallerByTheSquareWhereAnotherFaceIsBetter) {
+    EXPECT_NEAR(loads_of_two({0, 1e-6, 0})[0], 1.2e-6 / 9, 1e-11);
+    EXPECT_EQ(loads_of_two({-1e-6, -1e-6, -1e-6})[0], 0);
+    EXPECT_EQ(loads_of_two({1e-6, 0, 0})[1], 0);
 }
 
 TEST(OneEntity, BreathesAtTheFrequencyOfTheScheme) {

@@ -24,10 +24,12 @@ struct SensedPair {
 /// The prefilter relies on this criterion: lattice/sensing_limits bounds it by the strains of edges.
 [[nodiscard]] bool triggers(const Network& network, const State& state, LocalDuplet d);
 
-/// on: evaluate only the sensors of Engine::may_trigger. off: evaluate all. Both give the same duplets.
+/// on: evaluate only the sensors of Engine::may_trigger or Engine::faces_that_may_open. off: evaluate all. Both give
+/// the same duplets.
 enum class Prefilter : std::uint8_t { on, off };
 
-/// The duplets whose sensors trigger at the current state, ascending, each once. All of them break in the same step.
+/// The duplets whose sensors trigger at the current state, ascending, each once; with sensors `stress`, all active
+/// duplets of the interior faces that open (stress_sensor.hpp). All of them break in the same step.
 [[nodiscard]] std::vector<LocalDuplet> sense(const Network& network, const State& state, Engine& engine,
                                              Prefilter prefilter);
 

@@ -1,14 +1,18 @@
 #include "physics/lattice/lattice_engine.hpp"
 
+#include "core/contracts.hpp"
 #include "physics/lattice/advance.hpp"
 #include "physics/lattice/force_sweep.hpp"
 #include "physics/lattice/next_increments.hpp"
 #include "physics/lattice/sensing_limits.hpp"
+#include "physics/problem/interaction_stress.hpp"
 
 namespace cracksim::physics {
 
 LatticeEngine::LatticeEngine(const Network& network, const State& state)
-    : network_{&network}, caches_{network, state}, stretched_{state.lattice()} {}
+    : network_{&network}, caches_{network, state}, stretched_{state.lattice()} {
+    CRACKSIM_EXPECT(network.sensors() != SensorKind::stress || is_calibrated(network.model()));
+}
 
 Swept LatticeEngine::forces(State& state, Measure measure) {
     state.motion.clear_forces();
@@ -49,6 +53,16 @@ std::vector<LocalDuplet> LatticeEngine::may_trigger(const State& state) {
     return stretched_.find(*network_, state, caches_);
 }
 
-std::size_t LatticeEngine::memory_bytes() const { return caches_.memory_bytes() + stretched_.memory_bytes(); }
+std::vector<std::int32_t> LatticeEngine::faces_that_may_open(const State& state) {
+    return loaded_.find(*network_, state, caches_.rows.pooled);
+}
+
+SymmetricTensor LatticeEngine::stress(const State& state, LocalEntity e) const {
+    return interaction_stress(network_->model(), state.corner_displacements(e));
+}
+
+std::size_t LatticeEngine::memory_bytes() const {
+    return caches_.memory_bytes() + stretched_.memory_bytes() + loaded_.memory_bytes();
+}
 
 }  // namespace cracksim::physics

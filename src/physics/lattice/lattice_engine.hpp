@@ -2,6 +2,7 @@
 
 #include "physics/engine.hpp"
 #include "physics/lattice/caches.hpp"
+#include "physics/lattice/loaded_faces.hpp"
 #include "physics/lattice/stretched_sensors.hpp"
 
 namespace cracksim::physics {
@@ -10,7 +11,8 @@ namespace cracksim::physics {
 /// of the engine serves a copy of the state.
 class LatticeEngine final : public Engine {
 public:
-    /// The engine serves this state. network must outlive this.
+    /// The engine serves this state. network must outlive this. Sensors `stress` need a calibrated network
+    /// (problem/interaction_stress.hpp).
     LatticeEngine(const Network& network, const State& state);
 
     Swept forces(State& state, Measure measure) override;
@@ -21,6 +23,8 @@ public:
                        std::span<CornerForces> found) const override;
     void changed(State& state, std::span<const VertexSite> reparted, std::span<const VertexSite> weakened) override;
     [[nodiscard]] std::vector<LocalDuplet> may_trigger(const State& state) override;
+    [[nodiscard]] std::vector<std::int32_t> faces_that_may_open(const State& state) override;
+    [[nodiscard]] SymmetricTensor stress(const State& state, LocalEntity e) const override;
     [[nodiscard]] std::size_t memory_bytes() const override;
 
     [[nodiscard]] const LatticeCaches& caches() const { return caches_; }
@@ -29,6 +33,7 @@ private:
     const Network* network_;
     LatticeCaches caches_;
     StretchedSensors stretched_;
+    LoadedFaces loaded_;
 };
 
 }  // namespace cracksim::physics

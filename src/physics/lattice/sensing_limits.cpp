@@ -28,6 +28,9 @@ float rounded_down(double limit) {
 
 void set_sensing_limits(const Network& network, const State& state, const SharedEdges& shared_edges, VertexSite lower,
                         int axis, EdgeLimits& limits) {
+    if (network.sensors() == SensorKind::stress) {
+        return;
+    }
     const EdgeCopies copies = edge_copies(state.unions, lower, axis);
     for (std::size_t i = 0; i < copies.count; ++i) {
         const EdgeCopy& copy = copies.copy[i];

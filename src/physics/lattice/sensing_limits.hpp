@@ -19,7 +19,7 @@ namespace cracksim::physics {
 [[nodiscard]] float rounded_down(double limit);
 
 /// Sets the limits of the edges that go up along an axis from a vertex. They depend on the representatives of the edges
-/// and on the active duplets.
+/// and on the active duplets. Sensors `stress` reach over no edge: their limits stay infinite.
 void set_sensing_limits(const Network& network, const State& state, const SharedEdges& shared_edges, VertexSite lower,
                         int axis, EdgeLimits& limits);
 

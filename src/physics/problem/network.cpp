@@ -16,12 +16,17 @@ Network::Network(NetworkParts parts)
       lattice_{std::make_shared<const Lattice>(block_, entities_)},
       supports_{std::move(parts.supports)},
       interior_faces_{block_, entities_},
-      duplets_{interior_faces_.size()} {
+      duplets_{interior_faces_.size()},
+      sensors_{parts.sensors} {
     CRACKSIM_EXPECT(std::ranges::is_sorted(entities_.span()) && owned_.size() == entities_.size());
     find_received();
     find_notched_faces(parts.notches);
     find_duplets(parts.duplets);
-    set_thresholds(parts.thresholds);
+    if (sensors_ == SensorKind::stress) {
+        set_face_thresholds(parts.thresholds);
+    } else {
+        set_thresholds(parts.thresholds);
+    }
 }
 
 void Network::find_received() {
@@ -118,26 +123,46 @@ void Network::set_thresholds(const Thresholds& thresholds) {
         const auto [a, b] = masses_of(d);
         const Vec3 at = rest_position(a);
         const double value = thresholds.of(mass(a), mass(b), at);
-        set_threshold(d, value, is_first);
+        set_threshold(d.index(), interior_faces_.size() * duplets_per_face, value, at, is_first);
         is_first = false;
-        if (!(value > 0) && !invalid_threshold_) {
-            invalid_threshold_ = "the threshold at x = " + rounded(at.x, 6) + ", y = " + rounded(at.y, 6) +
-                                 ", z = " + rounded(at.z, 6) + " m is " +
-                                 (std::isnan(value) ? "not a number" : rounded(value, 6));
-        }
     });
 }
 
-/// The calls must be in ascending order of duplets. Most blocks have one threshold, so the list of thresholds is made
+void Network::set_face_thresholds(const Thresholds& thresholds) {
+    bool is_first = true;
+    for (std::int32_t f = 0; f < static_cast<std::int32_t>(interior_faces_.size()); ++f) {
+        if (duplets_.of_face(f) != 0) {
+            const InteriorFace& face = interior_faces_[f];
+            const Vec3 at = centre(face);
+            const double value = thresholds.of(entities_[face.a], entities_[face.b], at);
+            set_threshold(static_cast<std::size_t>(f), interior_faces_.size(), value, at, is_first);
+            is_first = false;
+        }
+    }
+}
+
+Vec3 Network::centre(const InteriorFace& face) const {
+    const Vec3 lower = rest_position(local_mass(face.a, face.corner_a(0)));
+    const Vec3 upper = rest_position(local_mass(face.a, face.corner_a(2)));
+    return 0.5 * (lower + upper);
+}
+
+/// The calls must be in ascending order of sensors. Most blocks have one threshold, so the list of thresholds is made
 /// only when a second value occurs.
-void Network::set_threshold(LocalDuplet duplet, double threshold, bool is_first) {
+void Network::set_threshold(std::size_t sensor, std::size_t sensors, double threshold, Vec3 at, bool is_first) {
     if (is_first) {
         uniform_threshold_ = threshold;
     } else if (threshold_.empty() && threshold != uniform_threshold_) {
-        threshold_.assign(interior_faces_.size() * duplets_per_face, uniform_threshold_);
+        threshold_.assign(sensors, uniform_threshold_);
     }
     if (!threshold_.empty()) {
-        threshold_[duplet.index()] = threshold;
+        threshold_[sensor] = threshold;
+    }
+    lowest_threshold_ = std::min(lowest_threshold_, threshold);
+    if (!(threshold > 0) && !invalid_threshold_) {
+        invalid_threshold_ = "the threshold at x = " + rounded(at.x, 6) + ", y = " + rounded(at.y, 6) +
+                             ", z = " + rounded(at.z, 6) + " m is " +
+                             (std::isnan(threshold) ? "not a number" : rounded(threshold, 6));
     }
 }
 

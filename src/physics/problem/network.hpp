@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -16,6 +17,7 @@
 #include "physics/problem/interior_faces.hpp"
 #include "physics/problem/lattice.hpp"
 #include "physics/problem/notch.hpp"
+#include "physics/problem/sensor_kind.hpp"
 #include "physics/problem/support.hpp"
 #include "physics/problem/thresholds.hpp"
 
@@ -28,6 +30,7 @@ struct NetworkParts {
     IdArray<LocalEntity, EntityId> entities;   ///< the local entities, ascending
     IdArray<LocalEntity, std::uint8_t> owned;  ///< 1 if this rank owns the entity
     DupletKind duplets{DupletKind::corners};
+    SensorKind sensors{SensorKind::normal};
     Thresholds thresholds;
     std::vector<Support> supports;
     std::vector<Notch> notches;
@@ -77,11 +80,19 @@ public:
     [[nodiscard]] std::optional<Tie> tie_over(LocalMass m, int face) const;
     /// The duplets that exist and tie masses of touched unions.
     [[nodiscard]] const DupletSet& duplets() const { return duplets_; }
-    /// Threshold, a stretch, of a duplet in duplets().
+    [[nodiscard]] SensorKind sensors() const { return sensors_; }
+    /// Sensors `normal`: threshold, a stretch, of a duplet in duplets().
     [[nodiscard]] double threshold(LocalDuplet d) const {
-        CRACKSIM_EXPECT(duplets_.contains(d));
+        CRACKSIM_EXPECT(sensors_ == SensorKind::normal && duplets_.contains(d));
         return threshold_.empty() ? uniform_threshold_ : threshold_[d.index()];
     }
+    /// Sensors `stress`: threshold, a stretch, of an interior face that has a duplet in duplets().
+    [[nodiscard]] double face_threshold(std::int32_t interior_face) const {
+        CRACKSIM_EXPECT(sensors_ == SensorKind::stress && duplets_.of_face(interior_face) != 0);
+        return threshold_.empty() ? uniform_threshold_ : threshold_[static_cast<std::size_t>(interior_face)];
+    }
+    /// The lowest threshold on this rank; infinite if it has no sensor.
+    [[nodiscard]] double lowest_threshold() const { return lowest_threshold_; }
     /// The masses that a duplet ties; the first has the smaller id.
     [[nodiscard]] std::array<LocalMass, 2> masses_of(LocalDuplet d) const {
         const InteriorFace& shared = interior_faces_[interior_face_of(d)];
@@ -134,7 +145,9 @@ private:
     void add_ties(std::span<const LocalMass> masses);
     void add_tree(LocalMass root, std::vector<LocalMass>& reached);
     void set_thresholds(const Thresholds& thresholds);
-    void set_threshold(LocalDuplet duplet, double threshold, bool is_first);
+    void set_face_thresholds(const Thresholds& thresholds);
+    [[nodiscard]] Vec3 centre(const InteriorFace& face) const;
+    void set_threshold(std::size_t sensor, std::size_t sensors, double threshold, Vec3 at, bool is_first);
 
     Block block_;
     EntityModel model_;
@@ -146,8 +159,11 @@ private:
     std::vector<std::int32_t> notched_faces_;
     std::vector<std::int64_t> faces_of_notches_;
     DupletSet duplets_;
-    std::vector<double> threshold_;  ///< by duplet; empty: all are uniform_threshold_
+    SensorKind sensors_;
+    /// By duplet, or by interior face for sensors `stress`; empty: all are uniform_threshold_.
+    std::vector<double> threshold_;
     double uniform_threshold_{0};
+    double lowest_threshold_{std::numeric_limits<double>::infinity()};
     std::vector<LocalMass> received_;
     std::optional<std::string> invalid_threshold_;
 };

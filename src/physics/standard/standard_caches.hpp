@@ -14,12 +14,16 @@ namespace cracksim::physics {
 struct StandardCaches {
     StandardCaches(const Network& network, const State& state);
 
+    /// Sets the limits of the entities at some vertices, after duplets there became inactive.
+    void set_limits(const Network& network, const State& state, std::span<const VertexSite> weakened);
     [[nodiscard]] std::size_t memory_bytes() const;
 
     RowCaches rows;
-    std::vector<std::uint8_t> present;    ///< [batch]: one bit for each lane that has an entity
-    std::vector<std::uint8_t> owned;      ///< [batch]: one bit for each lane whose entity this rank owns
-    std::vector<Bfloat16> limits;         ///< [site]: largest stress over E up to which no interface of it can open
+    std::vector<std::uint8_t> present;  ///< [batch]: one bit for each lane that has an entity
+    std::vector<std::uint8_t> owned;    ///< [batch]: one bit for each lane whose entity this rank owns
+    /// [site]: the stress over E up to which no face of the entity can open; infinite without a face that has active
+    /// duplets, and with sensors `normal`.
+    std::vector<Bfloat16> limits;
     std::vector<std::uint8_t> stretched;  ///< [batch]: one bit for each lane that the sweep found beyond its limit
 };
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
+#include "core/hexahedron.hpp"
 #include "core/vec3.hpp"
 #include "physics/problem/network.hpp"
 #include "physics/problem/stability.hpp"
@@ -35,6 +37,14 @@ struct State {
 
     [[nodiscard]] Vec3 displacement(LocalUnion s) const { return motion.get(s, Quantity::displacement); }
     [[nodiscard]] Vec3 increment(LocalUnion s) const { return motion.get(s, Quantity::increment); }
+    /// The displacements of an entity's corners, m.
+    [[nodiscard]] std::array<Vec3, Hexahedron::corners> corner_displacements(LocalEntity e) const {
+        std::array<Vec3, Hexahedron::corners> u;
+        for (int corner = 0; corner < Hexahedron::corners; ++corner) {
+            u[static_cast<std::size_t>(corner)] = displacement(unions.union_of(local_mass(e, corner)));
+        }
+        return u;
+    }
     /// The sum of the forces on the union's masses at the current state, N.
     [[nodiscard]] Vec3 force(LocalUnion s) const { return motion.get(s, Quantity::force); }
     /// dt^2/M, s^2/kg.

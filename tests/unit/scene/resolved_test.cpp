@@ -13,6 +13,12 @@ const std::string by_material =
     "material: {young: 2.1e11, density: 7850, damping: 0.3, fracture_energy: 100}\n"
     "time: {end: 0.3333333333333333}\n";
 
+const std::string by_stress =
+    "block: {cells: [3, 4, 5], edge: 0.1}\n"
+    "material: {young: 1, density: 1}\n"
+    "sensors: {kind: stress, threshold: 0.1}\n"
+    "time: {end: 1}\n";
+
 const std::string by_network =
     "block: {cells: [3, 4, 5], edge: [0.1, 0.2, 0.30000000000000004]}\n"
     "network: {mass: 0.1, edge: {stiffness: 1.1, viscosity: 1e-5}, diagonal: {stiffness: 0, viscosity: 0}}\n"
@@ -39,6 +45,7 @@ void expect_same(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.network.mass, b.network.mass);
     EXPECT_EQ(a.network.edge.viscosity, b.network.edge.viscosity);
     EXPECT_EQ(a.network.diagonal.stiffness, b.network.diagonal.stiffness);
+    EXPECT_EQ(a.sensors.kind, b.sensors.kind);
     EXPECT_EQ(a.sensors.threshold(at, 0), b.sensors.threshold(at, 0));
     EXPECT_EQ(a.sensors.weibull.has_value(), b.sensors.weibull.has_value());
     EXPECT_EQ(a.initial.displacement[1](at, 0), b.initial.displacement[1](at, 0));
@@ -55,7 +62,7 @@ void expect_same(const Scene& a, const Scene& b) {
 }
 
 TEST(Resolved, ReadsBackAsTheSameScene) {
-    for (const std::string& text : {by_material, by_network}) {
+    for (const std::string& text : {by_material, by_network, by_stress}) {
         const Scene scene = read(text);
         const std::string once = resolved(scene);
         const Scene again = read(once);

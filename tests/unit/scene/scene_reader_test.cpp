@@ -65,7 +65,7 @@ TEST(ReadScene, FillsInDefaults) {
     EXPECT_EQ(scene.material->damping, 0.2);
     EXPECT_FALSE(scene.material->fracture_energy.has_value());
     EXPECT_EQ(scene.duplets, physics::DupletKind::corners);
-    EXPECT_EQ(scene.sensors.kind, SensorKind::normal);
+    EXPECT_EQ(scene.sensors.kind, physics::SensorKind::normal);
     EXPECT_EQ(scene.sensors.threshold({}, 0), 0.02);
     EXPECT_FALSE(scene.sensors.weibull.has_value());
     EXPECT_TRUE(scene.sensors.prefilter);
@@ -198,8 +198,11 @@ TEST(ReadScene, RefusesWrongValues) {
         {{"network.mass=1"},
          "--set network.mass: network: material and network exclude each other; remove one of the two"},
         {{"duplets=none"}, "--set duplets: does not know 'none'; take one of corners, tree"},
-        {{"sensors.kind=wide"}, "--set sensors.kind: not available in cracksim 0.1; 'wide' comes later; take normal"},
-        {{"sensors.kind=full"}, "--set sensors.kind: not available in cracksim 0.1; 'full' comes later; take normal"},
+        {{"sensors.kind=full"}, "--set sensors.kind: does not know 'full'; take one of normal, stress"},
+        {{"sensors.kind=stress", "material.fracture_energy=1"},
+         "--set material.fracture_energy: not available in cracksim 0.1; with sensors.kind: stress the constant that "
+         "relates it to a threshold is not measured; give sensors.threshold in its place, or take sensors.kind: "
+         "normal"},
         {{"sensors.threshold=0"}, "--set sensors.threshold: a threshold is a stretch above 0 (.inf: never), not '0'"},
         {{"sensors.threshold=-.inf"},
          "--set sensors.threshold: a threshold is a stretch above 0 (.inf: never), not '-.inf'"},
@@ -294,6 +297,19 @@ TEST(ReadScene, NamesWhatIsMissing) {
         "material.fracture_energy (J/m2)";
     EXPECT_EQ(error_of(replaced(minimal, "sensors: {threshold: 0.02}\n", "")), "a.yaml:1:1: " + nothing);
     EXPECT_EQ(error_of(replaced(minimal, "threshold: 0.02", "kind: normal")), "a.yaml:5:1: sensors: " + nothing);
+    EXPECT_EQ(
+        error_of(replaced(minimal, "threshold: 0.02", "kind: stress")),
+        "a.yaml:5:1: sensors: nothing says when a duplet lets go; give sensors.threshold (a stretch, .inf: never)");
+}
+
+TEST(ReadScene, TakesStressSensorsForAMaterialOnly) {
+    const std::string with_stress = replaced(minimal, "threshold: 0.02", "kind: stress, threshold: 0.02");
+    EXPECT_EQ(read(with_stress).sensors.kind, physics::SensorKind::stress);
+    EXPECT_EQ(
+        error_of(replaced(with_stress, "material: {young: 2.0e4, density: 1000}",
+                          "network: {mass: 1, edge: {stiffness: 4}, diagonal: {stiffness: 6}}")),
+        "a.yaml:5:17: sensors.kind: 'stress' needs Young's modulus, which network does not give; use material, or "
+        "take normal");
 }
 
 TEST(ReadScene, RefusesWrongNetworks) {

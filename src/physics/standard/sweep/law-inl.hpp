@@ -285,13 +285,13 @@ CRACKSIM_INLINE void find_mode_forces(const StandardConstants<Real>& k, const Fr
     outcome = {zero, zero, zero, zero};
     // The increments follow the strain, so that they are loaded and summed while its divisions take place.
     Modes<Real> u;
-    find_modes_of(Displacements<From>{from}, u);
+    find_displacement_modes(from, u);
     Deformation<Real> now;
     find_strain(k, u, now);
     Modes<Real> w;
     Rates<Real> rates;
     if constexpr (K::damped) {
-        find_modes_of(Increments<From>{from}, w);
+        find_increment_modes(from, w);
         for_each<3>([&](auto i) CRACKSIM_INLINE_LAMBDA {
             const V<Real> alpha = broadcast<Real>(k.alpha[i]);
             for_each<3>([&](auto c) CRACKSIM_INLINE_LAMBDA { w.mean[i][c] = hn::Mul(alpha, w.mean[i][c]); });

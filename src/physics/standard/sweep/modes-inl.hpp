@@ -35,15 +35,13 @@ struct SideValues {
     V<Real> upper[Lattice::sides];
 };
 
-/// Sides are numbered by y, then z. A translation gives exactly zero, because equal numbers are subtracted.
+/// The sums that begin with differences along x: of the mean edge vector along x and of three hourglass vectors. Sides
+/// are numbered by y, then z.
 template <std::size_t Axis, class Real>
-CRACKSIM_INLINE void find_modes(const SideValues<Real>& at, Modes<Real>& modes) {
+CRACKSIM_INLINE void find_modes_along_x(const SideValues<Real>& at, Modes<Real>& modes) {
     V<Real> difference[Lattice::sides];
-    V<Real> sum[Lattice::sides];
-    for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
-        difference[side] = hn::Sub(at.upper[side], at.lower[side]);
-        sum[side] = hn::Add(at.upper[side], at.lower[side]);
-    });
+    for_each<Lattice::sides>(
+        [&](auto side) CRACKSIM_INLINE_LAMBDA { difference[side] = hn::Sub(at.upper[side], at.lower[side]); });
     const V<Real> below = hn::Add(difference[0], difference[1]);
     const V<Real> above = hn::Add(difference[2], difference[3]);
     const V<Real> across_below = hn::Sub(difference[1], difference[0]);
@@ -52,43 +50,61 @@ CRACKSIM_INLINE void find_modes(const SideValues<Real>& at, Modes<Real>& modes) 
     modes.hourglass[1][Axis] = hn::Sub(above, below);
     modes.hourglass[2][Axis] = hn::Add(across_below, across_above);
     modes.hourglass[q7][Axis] = hn::Sub(across_above, across_below);
-    const V<Real> along_below = hn::Sub(sum[1], sum[0]);
-    const V<Real> along_above = hn::Sub(sum[3], sum[2]);
-    modes.mean[1][Axis] = hn::Add(along_below, along_above);
-    modes.mean[2][Axis] = hn::Sub(hn::Add(sum[2], sum[3]), hn::Add(sum[0], sum[1]));
-    modes.hourglass[0][Axis] = hn::Sub(along_above, along_below);
 }
 
-/// The displacements, or the increments that damping uses, of entities whose corners' motions `from` has.
-template <class From>
-struct Displacements {
-    const From& from;
+/// The sums of displacements. Only neighbours are subtracted, so that entities far from their rest positions keep the
+/// digits of their strain. A translation gives exactly zero.
+template <std::size_t Axis, class Real>
+CRACKSIM_INLINE void find_displacement_modes(const SideValues<Real>& at, Modes<Real>& modes) {
+    find_modes_along_x<Axis>(at, modes);
+    const V<Real> below = hn::Add(hn::Sub(at.upper[1], at.upper[0]), hn::Sub(at.lower[1], at.lower[0]));
+    const V<Real> above = hn::Add(hn::Sub(at.upper[3], at.upper[2]), hn::Sub(at.lower[3], at.lower[2]));
+    modes.mean[1][Axis] = hn::Add(below, above);
+    modes.hourglass[0][Axis] = hn::Sub(above, below);
+    const V<Real> front = hn::Add(hn::Sub(at.upper[2], at.upper[0]), hn::Sub(at.lower[2], at.lower[0]));
+    const V<Real> back = hn::Add(hn::Sub(at.upper[3], at.upper[1]), hn::Sub(at.lower[3], at.lower[1]));
+    modes.mean[2][Axis] = hn::Add(front, back);
+}
 
-    template <std::size_t C, std::size_t Axis>
-    HWY_INLINE auto at() const {
-        return from.template displacement<C, Axis>();
-    }
-};
-template <class From>
-struct Increments {
-    const From& from;
+/// The sums of increments, in fewer operations. A translation gives exactly zero, because equal numbers are subtracted.
+template <std::size_t Axis, class Real>
+CRACKSIM_INLINE void find_increment_modes(const SideValues<Real>& at, Modes<Real>& modes) {
+    find_modes_along_x<Axis>(at, modes);
+    V<Real> sum[Lattice::sides];
+    for_each<Lattice::sides>([&](auto side)
+                                 CRACKSIM_INLINE_LAMBDA { sum[side] = hn::Add(at.upper[side], at.lower[side]); });
+    const V<Real> below = hn::Sub(sum[1], sum[0]);
+    const V<Real> above = hn::Sub(sum[3], sum[2]);
+    modes.mean[1][Axis] = hn::Add(below, above);
+    modes.mean[2][Axis] = hn::Sub(hn::Add(sum[2], sum[3]), hn::Add(sum[0], sum[1]));
+    modes.hourglass[0][Axis] = hn::Sub(above, below);
+}
 
-    template <std::size_t C, std::size_t Axis>
-    HWY_INLINE auto at() const {
-        return from.template velocity_increment<C, Axis>();
-    }
-};
-
-template <class Vectors, class Real>
-CRACKSIM_INLINE void find_modes_of(const Vectors& vectors, Modes<Real>& modes) {
+/// The sums of the displacements of entities. from: the motions of their corners.
+template <class From, class Real>
+CRACKSIM_INLINE void find_displacement_modes(const From& from, Modes<Real>& modes) {
     for_each<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
         SideValues<Real> at;
         for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
             constexpr auto corners = Lattice::corners_of_side[side];
-            at.lower[side] = vectors.template at<corners[0], axis>();
-            at.upper[side] = vectors.template at<corners[1], axis>();
+            at.lower[side] = from.template displacement<corners[0], axis>();
+            at.upper[side] = from.template displacement<corners[1], axis>();
         });
-        find_modes<axis>(at, modes);
+        find_displacement_modes<axis>(at, modes);
+    });
+}
+
+/// The sums of the increments that damping uses.
+template <class From, class Real>
+CRACKSIM_INLINE void find_increment_modes(const From& from, Modes<Real>& modes) {
+    for_each<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
+        SideValues<Real> at;
+        for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
+            constexpr auto corners = Lattice::corners_of_side[side];
+            at.lower[side] = from.template velocity_increment<corners[0], axis>();
+            at.upper[side] = from.template velocity_increment<corners[1], axis>();
+        });
+        find_increment_modes<axis>(at, modes);
     });
 }
 

@@ -179,5 +179,55 @@ TEST(Sensor, NeverTriggersAtAnInfiniteThreshold) {
     EXPECT_TRUE(body.sense(Prefilter::off).empty());
 }
 
+/// Random displacements of a block whose sensors decide by face.
+struct ShakenBlock {
+    explicit ShakenBlock(DupletKind duplets, std::uint64_t seed)
+        : network{network_of(duplets)}, body{network, Scheme::cordis, 0.3} {
+        test::shake(body.state, 0.05, seed);
+        body.forces(Measure::nothing);
+    }
+    static Network network_of(DupletKind duplets) {
+        test::SerialBlock block;
+        block.sensors = SensorKind::stress;
+        block.duplets = duplets;
+        block.thresholds.field = [](Vec3) { return 0.03; };
+        return block.network();
+    }
+    Network network;
+    test::Body body;
+};
+
+TEST(StressSensors, BreakAllDupletsOfAFaceTogether) {
+    for (const DupletKind duplets : {DupletKind::corners, DupletKind::tree}) {
+        std::size_t opened = 0;
+        for (std::uint64_t seed = 0; seed < 20; ++seed) {
+            ShakenBlock block{duplets, seed};
+            const DupletSet before = block.body.state.active;
+            const auto triggered = block.body.sense();
+            EXPECT_TRUE(std::ranges::is_sorted(triggered));
+            SplitStream splits;
+            block.body.split(triggered, splits);
+            for (std::int32_t f = 0; f < static_cast<std::int32_t>(block.network.interior_faces().size()); ++f) {
+                const std::uint8_t left = block.body.state.active.of_face(f);
+                EXPECT_TRUE(left == 0 || left == before.of_face(f)) << "seed " << seed << ", face " << f;
+                opened += left == 0 && before.of_face(f) != 0 ? 1U : 0U;
+            }
+            EXPECT_TRUE(block.body.sense().empty()) << "opened faces open again";
+        }
+        EXPECT_GT(opened, 100U);
+    }
+}
+
+TEST(StressSensors, BreakWithDupletsTreeTheFacesOfDupletsCorners) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        ShakenBlock corners{DupletKind::corners, seed};
+        ShakenBlock tree{DupletKind::tree, seed};
+        std::vector<LocalDuplet> expected;
+        std::ranges::copy_if(corners.body.sense(), std::back_inserter(expected),
+                             [&](LocalDuplet d) { return tree.network.duplets().contains(d); });
+        EXPECT_EQ(tree.body.sense(), expected) << "seed " << seed;
+    }
+}
+
 }  // namespace
 }  // namespace cracksim::physics

@@ -105,6 +105,36 @@ TEST(Network, ThresholdsAreThoseOfTheirPlacesWhereverTheFirstDifferentOneIs) {
     }
 }
 
+TEST(Network, FaceThresholdsAreThoseOfTheFacesCentresWhereverTheFirstDifferentOneIs) {
+    for (const double from : {0.0, 0.7, 2.7, 3.2, 9.0}) {
+        test::SerialBlock block;
+        block.cells = {4, 3, 2};
+        block.sensors = SensorKind::stress;
+        block.thresholds.field = [from](Vec3 at) { return at.x > from && at.y > 0.7 ? 0.3 + at.z : 0.2; };
+        block.thresholds.weibull = Weibull{4, 1};
+        const Network network = block.network();
+        double lowest = 9;
+        for (std::int32_t f = 0; f < static_cast<std::int32_t>(network.interior_faces().size()); ++f) {
+            const InteriorFace& face = network.interior_faces()[f];
+            const EntityId a = network.entity(face.a);
+            const EntityId b = network.entity(face.b);
+            const Vec3 at = 0.5 * (block.block().centre(a) + block.block().centre(b));
+            EXPECT_EQ(network.face_threshold(f), block.thresholds.of(a, b, at));
+            lowest = std::min(lowest, network.face_threshold(f));
+        }
+        EXPECT_EQ(network.lowest_threshold(), lowest);
+    }
+}
+
+TEST(Network, FaceThresholdsTakeAQuarterOfTheMemoryOfDuplets) {
+    test::SerialBlock block;
+    block.sensors = SensorKind::stress;
+    const std::size_t uniform = block.network().memory_bytes();
+    block.thresholds.weibull = Weibull{4, 1};
+    const Network varied = block.network();
+    EXPECT_EQ(varied.memory_bytes(), uniform + varied.interior_faces().size() * sizeof(double));
+}
+
 TEST(Network, OneThresholdTakesNoMemory) {
     test::SerialBlock block;
     const std::size_t uniform = block.network().memory_bytes();

@@ -34,6 +34,13 @@ TEST(WeibullFactor, DependsOnSeedAndDupletOnly) {
     EXPECT_NE(f, weibull_factor({5, 1}, MassId{10}, MassId{21}));
 }
 
+TEST(Thresholds, OfAFaceDependOnItsEntities) {
+    const Thresholds thresholds{[](Vec3 at) { return 0.01 * at.x; }, Weibull{4, 9}};
+    EXPECT_EQ(thresholds.of(EntityId{1}, EntityId{2}, {3, 0, 0}),
+              0.01 * 3 * weibull_factor({4, 9}, EntityId{1}, EntityId{2}));
+    EXPECT_NE(weibull_factor({4, 9}, EntityId{1}, EntityId{2}), weibull_factor({4, 9}, EntityId{1}, EntityId{3}));
+}
+
 TEST(Thresholds, MultiplyTheFieldByTheWeibullFactor) {
     const Thresholds thresholds{[](Vec3 at) { return 0.01 * at.x; }, Weibull{4, 9}};
     EXPECT_EQ(thresholds.of(MassId{1}, MassId{2}, {3, 0, 0}), 0.01 * 3 * weibull_factor({4, 9}, MassId{1}, MassId{2}));
