@@ -1,29 +1,12 @@
 #include "physics/lattice/loaded_faces.hpp"
 
 #include "physics/lattice/stress_bounds.hpp"
-#include "physics/problem/interaction_stress.hpp"
 
 namespace cracksim::physics {
 
-void LoadedFaces::find_bounds(const Network& network, const State& state, const PooledHalves& pooled) {
-    const Lattice& lattice = state.lattice();
-    bound_.resize(lattice.batches() * Lattice::lanes);
-    for (const Lattice::CellRow& row : lattice.cell_rows()) {
-        find_stress_bounds(network.model(), row, state.motion, pooled, bound_);
-    }
-    for (std::size_t half = 0; half < lattice.halves(); ++half) {
-        for (std::size_t i = half * Lattice::half; pooled.index()[half] >= 0 && i < (half + 1) * Lattice::half; ++i) {
-            const LocalEntity e = lattice.entity(Site{static_cast<std::int32_t>(i)});
-            if (e != LocalEntity{}) {
-                bound_[i] =
-                    stress_bound_with_margin(interaction_stress_bound(network.model(), state.corner_displacements(e)));
-            }
-        }
-    }
-}
-
 std::vector<std::int32_t> LoadedFaces::find(const Network& network, const State& state, const PooledHalves& pooled) {
-    find_bounds(network, state, pooled);
+    bound_.resize(state.lattice().batches() * Lattice::lanes);
+    find_stress_bounds(network.model(), state.lattice(), state.motion, pooled, bound_);
     const auto bound_of = [&](LocalEntity e) { return static_cast<double>(bound_[state.lattice().site(e).index()]); };
     // One of the two entities of a face that opens has a bound above the lowest threshold.
     const double lowest = network.lowest_threshold();

@@ -11,7 +11,7 @@
 namespace cracksim::physics {
 
 /// The prefilter of the sensors `stress` on the lattice. With a bound b of the largest eigenvalue of each entity's
-/// stress (problem/interaction_stress.hpp) it is exact: a face of A and B opens only if (b_A + b_B)/2 > s,
+/// stress (stress_bounds.hpp) it is exact: a face of A and B opens only if (b_A + b_B)/2 > s,
 /// because l_1((A + B)/2) and min(l_1(A), l_1(B)) are at most (l_1(A) + l_1(B))/2, and so is lambda.
 class LoadedFaces {
 public:
@@ -23,9 +23,7 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const { return bound_.capacity() * sizeof(float); }
 
 private:
-    void find_bounds(const Network& network, const State& state, const PooledHalves& pooled);
-
-    std::vector<float> bound_;  ///< by site: b with a margin for rounding (stress_bounds.hpp)
+    std::vector<float> bound_;  ///< by site: b with a margin for rounding
 };
 
 }  // namespace cracksim::physics

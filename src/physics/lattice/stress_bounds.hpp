@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <span>
 
 #include "physics/lattice/pooled_corners.hpp"
@@ -11,13 +9,15 @@
 
 namespace cracksim::physics {
 
-/// A bound of the largest eigenvalue of an entity's computed stress in single precision, from the bound that
-/// interaction_stress_bound() returns: a margin of 2e-13 and 1e-12 of the bound, rounded up.
-[[nodiscard]] float stress_bound_with_margin(double bound);
-
-/// Computes this bound for the entities of a row, with the SIMD target in use, by site. It has no meaning for the
-/// entities of half batches with pooled corners, which need interaction_stress_bound(), and at void sites.
-void find_stress_bounds(const EntityModel& model, const Lattice::CellRow& row, const Motion& motion,
+/// Computes, with the SIMD target in use, a bound of the largest eigenvalue of the stress S/E of each entity
+/// (problem/interaction_stress.hpp), by site. It has no meaning at void sites.
+///
+/// The bound is 0.4 e + 0.6 q with the largest quadratic strains |d|^2/L^2 - 1, e of the edges and q of the diagonals,
+/// floored at 0. For a unit vector m and the largest stretches e' and q', m.Sm/E <= 0.2 * 4 e' + 0.9 q' sum over
+/// diagonals (n.m)^2; this sum is 4/3 for every m; and a stretch is at most half the quadratic strain. A margin of
+/// 2e-13 and 1e-12 of the bound covers the rounding of the computed stress and of its eigenvalues: all are computed in
+/// double, in single precision too.
+void find_stress_bounds(const EntityModel& model, const Lattice& lattice, const Motion& motion,
                         const PooledHalves& pooled, std::span<float> bound);
 
 }  // namespace cracksim::physics

@@ -49,14 +49,4 @@ SymmetricTensor interaction_stress(const EntityModel& model, const CornerDisplac
             of_diagonals * ((d[0] + d[2]) - (d[1] + d[3]))};
 }
 
-double interaction_stress_bound(const EntityModel& model, const CornerDisplacements& u) {
-    double edges = 0;
-    double diagonals = 0;
-    for (std::size_t i = 0; i < HexahedronPairs::count; ++i) {
-        double& largest = i < HexahedronPairs::edges ? edges : diagonals;
-        largest = std::max(largest, quadratic_strain(model, u, i));
-    }
-    return 4 * of_edges * stretch(edges) + 4 * of_diagonals * stretch(diagonals);
-}
-
 }  // namespace cracksim::physics

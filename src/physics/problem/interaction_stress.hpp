@@ -24,9 +24,4 @@ using CornerDisplacements = std::array<Vec3, Hexahedron::corners>;
 /// S/E. u: displacements of the corners from rest, m.
 [[nodiscard]] SymmetricTensor interaction_stress(const EntityModel& model, const CornerDisplacements& u);
 
-/// A bound of the largest eigenvalue of S/E, at least 0: 0.8 e + 1.2 q with the largest stretches e of the edges and q
-/// of the diagonals, floored at 0. For a unit vector m, m.Sm/E <= 0.2 * 4 e + 0.9 q sum over diagonals (n.m)^2, and
-/// this sum is 4/3 for every m. It holds for the computed stress up to 1e-13 of the larger one of 1 and the bound.
-[[nodiscard]] double interaction_stress_bound(const EntityModel& model, const CornerDisplacements& u);
-
 }  // namespace cracksim::physics

@@ -190,7 +190,7 @@ struct ShakenBlock {
         test::SerialBlock block;
         block.sensors = SensorKind::stress;
         block.duplets = duplets;
-        block.thresholds.field = [](Vec3) { return 0.03; };
+        block.thresholds.field = [](Vec3) { return 0.015; };
         return block.network();
     }
     Network network;
