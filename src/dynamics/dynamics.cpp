@@ -7,6 +7,7 @@
 #include "partition/halo.hpp"
 #include "physics/fracture/split.hpp"
 #include "physics/lattice/lattice_engine.hpp"
+#include "physics/standard/standard_engine.hpp"
 #include "physics/start.hpp"
 #include "physics/state/hashes.hpp"
 #include "scene/counts.hpp"
@@ -36,6 +37,13 @@ std::int64_t count_owned_notched_faces(const physics::Network& network) {
                                  [&](std::int32_t f) { return network.owned(network.interior_faces()[f].a); });
 }
 
+std::unique_ptr<physics::Engine> make_engine(const physics::Network& network, const physics::State& state) {
+    if (network.model().is_standard()) {
+        return std::make_unique<physics::StandardEngine>(network, state);
+    }
+    return std::make_unique<physics::LatticeEngine>(network, state);
+}
+
 /// Closed forms where there is no notch. Collective.
 ProblemCounts count(const partition::Communicator& comm, const scene::Scene& scene, const physics::Network& network,
                     const physics::State& state) {
@@ -57,7 +65,7 @@ Dynamics::Dynamics(const partition::Communicator& comm, const scene::Scene& scen
       decomposition_{partition::decompose(comm, scene.block, scene::partitioner(scene))},
       network_{(scene::check_size(comm, decomposition_), scene::build_network(comm, scene, decomposition_))},
       state_{network_, scene.time.scheme, step_size, scene.time.precision},
-      engine_{std::make_unique<physics::LatticeEngine>(network_, state_)},
+      engine_{make_engine(network_, state_)},
       exchange_{comm, network_, decomposition_, state_},
       prefilter_{scene.sensors.prefilter ? physics::Prefilter::on : physics::Prefilter::off},
       counts_{count(comm, scene, network_, state_)} {

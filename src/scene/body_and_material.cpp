@@ -17,6 +17,9 @@ namespace {
 
 using io::InputNode;
 
+constexpr MaterialModel default_model = MaterialModel::paper;
+constexpr double default_poisson = 0.25;
+
 Vec3 read_edge(const InputNode& node) {
     Vec3 edge;
     if (node.is_list()) {
@@ -59,22 +62,53 @@ void check_resolution(const InputNode& node, const Block& block) {
     }
 }
 
-Material read_material(const InputNode& node, const Block& block) {
+MaterialModel read_model(const InputNode& node) {
+    constexpr std::array<std::pair<std::string_view, MaterialModel>, 2> models{
+        {{"standard", MaterialModel::standard}, {"paper", MaterialModel::paper}}};
+    const MaybeNode model = node.find("model");
+    return model ? enumerator(*model, models) : default_model;
+}
+
+/// Throws InputError if no 16 interactions make the block isotropic with this ratio.
+void check_paper_material(const InputNode& node, const Block& block) {
     const Vec3 edge = block.edge();
-    node.expect_keys(keys_of("material"));
     if (edge.x != edge.y || edge.y != edge.z) {
-        node.fail(
-            "needs cubes, but block.edge is " + io::exact(edge.x) + " x " + io::exact(edge.y) + " x " +
-            io::exact(edge.z) +
-            " m: no 16 interactions make other boxes isotropic; use equal edges, or `network` in place of `material`");
+        node.fail("needs cubes with model: paper, but block.edge is " + io::exact(edge.x) + " x " + io::exact(edge.y) +
+                  " x " + io::exact(edge.z) +
+                  " m: no 16 interactions make other boxes isotropic; use equal edges, or model: standard");
     }
-    if (const MaybeNode poisson = node.find("poisson"); poisson && poisson->number() != 0.25) {
-        poisson->fail("must be 0.25, not " + poisson->shown() +
-                      ": the network of interactions is isotropic only there");
+    if (const MaybeNode poisson = node.find("poisson"); poisson && poisson->number() != default_poisson) {
+        poisson->fail("must be 0.25 with model: paper, not " + poisson->shown() +
+                      ": the network of interactions is isotropic only there; use model: standard");
+    }
+}
+
+double read_poisson(const InputNode& node) {
+    const MaybeNode poisson = node.find("poisson");
+    if (!poisson) {
+        return default_poisson;
+    }
+    const double value = poisson->number();
+    if (!(value >= physics::lowest_poisson && value <= physics::highest_poisson)) {
+        poisson->fail("needs a number from " + io::exact(physics::lowest_poisson) + " to " +
+                      io::exact(physics::highest_poisson) + ", not " + poisson->shown() +
+                      ": the energy of the standard entity is proved to be positive there");
+    }
+    return value;
+}
+
+Material read_material(const InputNode& node, const Block& block) {
+    node.expect_keys(keys_of("material"));
+    const MaterialModel model = read_model(node);
+    if (model == MaterialModel::paper) {
+        check_paper_material(node, block);
     }
     const MaybeNode damping = node.find("damping");
     const MaybeNode energy = node.find("fracture_energy");
-    return {positive(node.at("young"), "Pa"), positive(node.at("density"), "kg/m3"),
+    return {model,
+            positive(node.at("young"), "Pa"),
+            positive(node.at("density"), "kg/m3"),
+            read_poisson(node),
             damping ? not_negative(*damping, "a/c0") : 0.2,
             energy ? std::optional{positive(*energy, "J/m2")} : std::nullopt};
 }
@@ -147,7 +181,7 @@ Matter read_matter(const InputNode& root, const Block& block) {
         material = read_material(*material_node, block);
     }
     const NetworkSettings network =
-        material ? calibrated_network(*material, block.edge().x) : read_network(*network_node);
+        material ? calibrated_network(*material, shortest_edge(block)) : read_network(*network_node);
     check_range(material_node ? *material_node : *network_node, network);
     return {material, network};
 }

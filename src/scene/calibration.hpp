@@ -1,10 +1,16 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/scene.hpp"
 
 namespace cracksim::scene {
+
+/// The shortest edge of an entity, m: the unit of damping is this length over the speed c0.
+[[nodiscard]] inline double shortest_edge(const Block& block) {
+    return std::min({block.edge().x, block.edge().y, block.edge().z});
+}
 
 /// The network of 16 interactions a cube for which the block is an isotropic solid of Poisson's ratio 1/4, also at its
 /// free surfaces:

@@ -22,7 +22,7 @@ struct Section {
          {"title", "block", "material", "network", "notches", "duplets", "sensors", "initial", "supports", "time",
           "coat", "output", "history", "partition"}},
         {"block", {"entity", "cells", "edge", "origin"}},
-        {"material", {"young", "density", "poisson", "damping", "fracture_energy"}},
+        {"material", {"model", "young", "density", "poisson", "damping", "fracture_energy"}},
         {"network", {"mass", "edge", "diagonal"}},
         {"network.edge", {"stiffness", "viscosity"}},
         {"network.diagonal", {"stiffness", "viscosity"}},

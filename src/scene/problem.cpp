@@ -5,6 +5,7 @@
 #include "core/errors.hpp"
 #include "core/text.hpp"
 #include "physics/problem/support_conflict.hpp"
+#include "scene/calibration.hpp"
 #include "scene/notches.hpp"
 
 namespace cracksim::scene {
@@ -85,6 +86,12 @@ void check_notches(const partition::Communicator& comm, const Scene& scene, cons
 }  // namespace
 
 physics::EntityModel entity_model(const Scene& scene) {
+    if (scene.has_standard_entities()) {
+        const Material& m = *scene.material;
+        const double damping_time = m.damping * shortest_edge(scene.block) / std::sqrt(m.young / m.density);
+        return physics::EntityModel{
+            physics::StandardEntity{{m.young, m.poisson, m.density, damping_time}, scene.block.edge()}};
+    }
     return {scene.block.edge(), scene.network.mass, scene.network.edge, scene.network.diagonal};
 }
 

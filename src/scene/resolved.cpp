@@ -68,12 +68,14 @@ std::string matter_text(const Scene& scene) {
         return network_text(scene.network, "");
     }
     const Material& material = *scene.material;
-    std::string text = "material:\n  young: " + yaml(material.young) + "\n  density: " + yaml(material.density) +
-                       "\n  poisson: 0.25\n  damping: " + yaml(material.damping) + "\n";
+    const bool standard = material.model == MaterialModel::standard;
+    std::string text = std::string{"material:\n  model: "} + (standard ? "standard" : "paper") +
+                       "\n  young: " + yaml(material.young) + "\n  density: " + yaml(material.density) +
+                       "\n  poisson: " + yaml(material.poisson) + "\n  damping: " + yaml(material.damping) + "\n";
     if (material.fracture_energy) {
         text += "  fracture_energy: " + yaml(*material.fracture_energy) + "\n";
     }
-    return text + "# This material makes the\n" + network_text(scene.network, "# ");
+    return standard ? text : text + "# This material makes the\n" + network_text(scene.network, "# ");
 }
 
 std::string shape_text(const RectangleSettings& r) {

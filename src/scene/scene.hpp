@@ -17,11 +17,16 @@
 
 namespace cracksim::scene {
 
-/// Material parameters of an isotropic block of cubes; Poisson's ratio is 1/4.
+/// The entity that a material makes: the standard entity, or the paper's, with 16 interactions.
+enum class MaterialModel { standard, paper };
+
+/// Material parameters of an isotropic block.
 struct Material {
+    MaterialModel model;
     double young;    ///< Pa
     double density;  ///< kg/m3
-    double damping;  ///< viscosity / stiffness of every interaction, in units of edge / sqrt(young/density)
+    double poisson;  ///< 1/4 for the paper's entity
+    double damping;  ///< viscosity / stiffness, in units of the shortest edge / sqrt(young/density)
     std::optional<double> fracture_energy;  ///< J/m2
 };
 
@@ -88,7 +93,7 @@ struct Scene {
     std::string title;
     Block block;
     std::optional<Material> material;  ///< determines `network` if the input gives a material
-    NetworkSettings network;
+    NetworkSettings network;           ///< of the paper's entity
     physics::DupletKind duplets;
     std::vector<NotchSettings> notches;
     SensorSettings sensors;
@@ -101,6 +106,8 @@ struct Scene {
     PartitionKind partition;
     Places places;
     std::vector<std::string> warnings;  ///< for the user: input that is valid but probably a mistake
+
+    [[nodiscard]] bool has_standard_entities() const { return material && material->model == MaterialModel::standard; }
 };
 
 }  // namespace cracksim::scene

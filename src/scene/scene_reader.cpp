@@ -44,33 +44,39 @@ std::optional<physics::Weibull> read_weibull(const MaybeNode& sensors) {
     return physics::Weibull{value, static_cast<std::uint64_t>(chosen)};
 }
 
-/// Refuses what the sensors `stress` cannot work with.
-void check_stress_sensors(const InputNode& root, const InputNode& kind) {
-    const MaybeNode material = root.find("material");
-    if (!material) {
-        kind.fail("'stress' needs Young's modulus, which network does not give; use material, or take normal");
+/// Refuses a fracture energy if the constant that gives its threshold is not measured.
+void check_fracture_energy(const InputNode& root, const std::optional<Material>& material, physics::SensorKind kind) {
+    if (!material || !material->fracture_energy) {
+        return;
     }
-    if (const MaybeNode energy = material->find("fracture_energy")) {
-        refuse_for_now(*energy,
-                       "with sensors.kind: stress the constant that relates it to a threshold is not measured; give "
-                       "sensors.threshold in its place, or take sensors.kind: normal");
+    const bool standard = material->model == MaterialModel::standard;
+    if (standard || kind == physics::SensorKind::stress) {
+        refuse_for_now(root.at("material").at("fracture_energy"),
+                       std::string{"the constant that gives its threshold is not measured for model: "} +
+                           (standard ? "standard" : "paper") +
+                           " with sensors.kind: " + (kind == physics::SensorKind::stress ? "stress" : "normal") +
+                           "; give sensors.threshold in its place, or take model: paper with sensors.kind: normal");
     }
 }
 
-physics::SensorKind read_sensor_kind(const InputNode& root, const MaybeNode& sensors) {
+physics::SensorKind read_sensor_kind(const InputNode& root, const MaybeNode& sensors,
+                                     const std::optional<Material>& material) {
     constexpr std::array<std::pair<std::string_view, physics::SensorKind>, 2> kinds{
         {{"normal", physics::SensorKind::normal}, {"stress", physics::SensorKind::stress}}};
     const MaybeNode node = find(sensors, "kind");
-    const physics::SensorKind kind = node ? enumerator(*node, kinds) : physics::SensorKind::normal;
-    if (kind == physics::SensorKind::stress) {
-        check_stress_sensors(root, *node);
+    const bool standard = material && material->model == MaterialModel::standard;
+    const auto by_default = standard ? physics::SensorKind::stress : physics::SensorKind::normal;
+    const physics::SensorKind kind = node ? enumerator(*node, kinds) : by_default;
+    if (node && kind == physics::SensorKind::stress && !material) {
+        node->fail("'stress' needs Young's modulus, which network does not give; use material, or take normal");
     }
+    check_fracture_energy(root, material, kind);
     return kind;
 }
 
 SensorSettings read_sensors(const InputNode& root, const std::optional<Material>& material, double edge) {
     const MaybeNode node = find_section(root, "sensors", "sensors");
-    const physics::SensorKind kind = read_sensor_kind(root, node);
+    const physics::SensorKind kind = read_sensor_kind(root, node, material);
     const MaybeNode threshold = find(node, "threshold");
     const bool calibrated = !threshold && material && material->fracture_energy;
     if (!threshold && !calibrated) {

@@ -34,6 +34,15 @@ std::string counts_line(const ProblemCounts& n) {
            (n.notched_faces == 0 ? "" : "; notches open " + grouped(n.notched_faces) + " interior faces");
 }
 
+std::string matter_line(const scene::Scene& scene) {
+    const std::string entity = scene.has_standard_entities()
+                                   ? "standard entities (Poisson's ratio " + rounded(scene.material->poisson) + ")"
+                               : scene.material ? "the paper's entities (material.model: paper)"
+                                                : "the paper's entities (network)";
+    const bool stress = scene.sensors.kind == physics::SensorKind::stress;
+    return entity + ", sensors " + (stress ? "stress" : "normal");
+}
+
 std::string step_line(const scene::Scene& scene, const scene::CertifiedStep& c) {
     return "time step " + rounded(c.step) + " s (" + rounded(100 * c.step / c.bound.step) + " % of the bound " +
            rounded(c.bound.step) + " s set by " + c.bound.cause + "), " + grouped(c.steps) +
@@ -66,8 +75,8 @@ std::string output_line(const forecast::OutputForecast& output) {
 
 std::vector<std::string> overview(const scene::Scene& scene, const scene::CertifiedStep& certified, int ranks,
                                   const forecast::Forecast& forecast) {
-    return {counts_line(forecast.counts), step_line(scene, certified), ranks_line(ranks, forecast),
-            memory_line(forecast), output_line(forecast.output)};
+    return {matter_line(scene),          counts_line(forecast.counts), step_line(scene, certified),
+            ranks_line(ranks, forecast), memory_line(forecast),        output_line(forecast.output)};
 }
 
 std::vector<std::string> dry_run_lines(const forecast::Forecast& forecast, bool built) {

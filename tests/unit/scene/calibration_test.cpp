@@ -9,7 +9,12 @@
 namespace cracksim::scene {
 namespace {
 
-constexpr Material material{.young = 3e6, .density = 1200, .damping = 0.25, .fracture_energy = 2.0};
+constexpr Material material{.model = MaterialModel::paper,
+                            .young = 3e6,
+                            .density = 1200,
+                            .poisson = 0.25,
+                            .damping = 0.25,
+                            .fracture_energy = 2.0};
 constexpr double edge = 0.02;
 
 /// C_ijkl (Pa) of a cube with the network's interactions: (1/V) sum k L^2 n_i n_j n_k n_l.
@@ -18,7 +23,8 @@ double interaction(const NetworkSettings& network, int i, int j, int k, int l) {
     double sum = 0;
     for (std::size_t s = 0; s < model.paper().rest.size(); ++s) {
         const Vec3 n = (1 / model.paper().rest_length[s]) * model.paper().rest[s];
-        sum += model.paper().interaction[s].stiffness * model.paper().rest_length[s] * model.paper().rest_length[s] * n[i] * n[j] * n[k] * n[l];
+        sum += model.paper().interaction[s].stiffness * model.paper().rest_length[s] * model.paper().rest_length[s] *
+               n[i] * n[j] * n[k] * n[l];
     }
     return sum / (edge * edge * edge);
 }

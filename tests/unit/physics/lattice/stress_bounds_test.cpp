@@ -29,7 +29,7 @@ struct Ratios {
     void add(const Network& network, const test::Body& body, double least) {
         const Lattice& lattice = body.state.lattice();
         std::vector<float> bound(lattice.batches() * Lattice::lanes);
-        find_stress_bounds(network.model(), lattice, body.state.motion, body.engine.caches().pooled, bound);
+        find_stress_bounds(network.model(), lattice, body.state.motion, body.engine.caches().rows.pooled, bound);
         for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
             const double largest = eigenpairs(body.engine.stress(body.state, e)).largest();
             const double ratio = static_cast<double>(bound[lattice.site(e).index()]) / largest;
