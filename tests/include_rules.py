@@ -41,7 +41,7 @@ INSIDE = {
     "physics/start": ["physics/problem", "physics/state", "physics/engine"],
     "physics/fracture": ["physics/problem", "physics/state", "physics/engine", "physics/events"],
     "physics/lattice": ["physics/problem", "physics/state", "physics/engine", "physics/fracture"],
-    "physics/standard": ["physics/engine", "physics/lattice", "physics/standard_law"],
+    "physics/standard": ["physics/engine", "physics/fracture", "physics/lattice"],
 }
 
 TEST_FOLDERS = ["fuzz", "support", "unit"]  # folders whose headers tests share

@@ -67,9 +67,9 @@ public:
     /// Sensors `normal`: the active duplets whose sensors may trigger at the state of the last forces, in any order; a
     /// duplet may occur twice. Every duplet whose sensor triggers is among them.
     [[nodiscard]] virtual std::vector<LocalDuplet> may_trigger(const State& state) = 0;
-    /// Sensors `stress`: the interior faces with active duplets that may open at the state of the last forces, in any
-    /// order; a face may occur twice. Every face that opens is among them.
-    [[nodiscard]] virtual std::vector<std::int32_t> faces_that_may_open(const State& state) = 0;
+    /// Sensors `stress`: the interior faces with active duplets that open at the state of the last forces, ascending,
+    /// each once (fracture/stress_sensor.hpp).
+    [[nodiscard]] virtual std::vector<std::int32_t> opening_faces(const State& state) = 0;
     /// The elastic stress of an entity in its rest frame, over Young's modulus. Its bits depend only on the network and
     /// the displacements of the entity's corners.
     [[nodiscard]] virtual SymmetricTensor stress(const State& state, LocalEntity e) const = 0;

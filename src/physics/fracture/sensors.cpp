@@ -1,10 +1,9 @@
 #include "physics/fracture/sensors.hpp"
 
-#include <algorithm>
-#include <iterator>
+#include <utility>
 
 #include "core/sorted.hpp"
-#include "physics/fracture/stress_sensor.hpp"
+#include "physics/fracture/opening_faces.hpp"
 
 namespace cracksim::physics {
 
@@ -32,20 +31,18 @@ bool triggers(const Network& network, const State& state, LocalDuplet d) {
 
 namespace {
 
-/// The interior faces that sense_faces() must decide, ascending, each once.
-std::vector<std::int32_t> undecided_faces(const State& state, Engine& engine, Prefilter prefilter) {
-    std::vector<std::int32_t> faces;
+std::vector<std::int32_t> opening_faces(const Network& network, const State& state, Engine& engine,
+                                        Prefilter prefilter) {
     if (prefilter == Prefilter::on) {
-        faces = engine.faces_that_may_open(state);
-        sort_and_make_unique(faces);
-        return faces;
+        return engine.opening_faces(state);
     }
+    std::vector<std::int32_t> all;
     for (std::int32_t f = 0; f < static_cast<std::int32_t>(state.active.interior_faces()); ++f) {
         if (state.active.of_face(f) != 0) {
-            faces.push_back(f);
+            all.push_back(f);
         }
     }
-    return faces;
+    return faces_that_open(network, std::move(all), [&](LocalEntity e) { return engine.stress(state, e); });
 }
 
 /// A rank holds the duplets that tie masses of its touched unions, so it must decide every face with such a duplet. It
@@ -55,25 +52,8 @@ std::vector<std::int32_t> undecided_faces(const State& state, Engine& engine, Pr
 /// them, with A the entity of the smaller global id on every rank. Each rank then inactivates the duplets that it
 /// holds; together these are all active duplets of the face.
 std::vector<LocalDuplet> sense_faces(const Network& network, const State& state, Engine& engine, Prefilter prefilter) {
-    const std::vector<std::int32_t> faces = undecided_faces(state, engine, prefilter);
-    std::vector<LocalEntity> entities;
-    for (const std::int32_t f : faces) {
-        entities.push_back(network.interior_faces()[f].a);
-        entities.push_back(network.interior_faces()[f].b);
-    }
-    sort_and_make_unique(entities);
-    std::vector<SymmetricTensor> stresses;
-    std::ranges::transform(entities, std::back_inserter(stresses),
-                           [&](LocalEntity e) { return engine.stress(state, e); });
-    const auto stress = [&](LocalEntity e) -> const SymmetricTensor& {
-        return stresses[static_cast<std::size_t>(std::ranges::lower_bound(entities, e) - entities.begin())];
-    };
     std::vector<LocalDuplet> triggered;
-    for (const std::int32_t f : faces) {
-        const InteriorFace& face = network.interior_faces()[f];
-        if (!opens(stress(face.a), stress(face.b), face.face_a / 2, network.face_threshold(f))) {
-            continue;
-        }
+    for (const std::int32_t f : opening_faces(network, state, engine, prefilter)) {
         for (int k = 0; k < duplets_per_face; ++k) {
             if (state.active.contains(local_duplet(f, k))) {
                 triggered.push_back(local_duplet(f, k));

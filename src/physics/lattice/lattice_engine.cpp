@@ -1,6 +1,7 @@
 #include "physics/lattice/lattice_engine.hpp"
 
 #include "core/contracts.hpp"
+#include "physics/fracture/opening_faces.hpp"
 #include "physics/lattice/advance.hpp"
 #include "physics/lattice/force_sweep.hpp"
 #include "physics/lattice/next_increments.hpp"
@@ -53,8 +54,9 @@ std::vector<LocalDuplet> LatticeEngine::may_trigger(const State& state) {
     return stretched_.find(*network_, state, caches_);
 }
 
-std::vector<std::int32_t> LatticeEngine::faces_that_may_open(const State& state) {
-    return loaded_.find(*network_, state, caches_.rows.pooled);
+std::vector<std::int32_t> LatticeEngine::opening_faces(const State& state) {
+    return faces_that_open(*network_, loaded_.find(*network_, state, caches_.rows.pooled),
+                           [&](LocalEntity e) { return stress(state, e); });
 }
 
 SymmetricTensor LatticeEngine::stress(const State& state, LocalEntity e) const {

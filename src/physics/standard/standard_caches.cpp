@@ -44,7 +44,8 @@ StandardCaches::StandardCaches(const Network& network, const State& state)
       present(state.lattice().batches(), 0),
       owned(state.lattice().batches(), 0),
       limits(state.lattice().batches() * Lattice::lanes, Bfloat16::infinity()),
-      stretched(state.lattice().batches(), 0) {
+      stretched(state.lattice().batches(), 0),
+      stresses{state.lattice().batches()} {
     for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
         const std::size_t site = state.lattice().site(e).index();
         const auto bit = static_cast<std::uint8_t>(1U << site % Lattice::lanes);
@@ -69,7 +70,7 @@ void StandardCaches::set_limits(const Network& network, const State& state, std:
 
 std::size_t StandardCaches::memory_bytes() const {
     return rows.memory_bytes() + present.capacity() + owned.capacity() + stretched.capacity() +
-           limits.capacity() * sizeof(Bfloat16);
+           stresses.memory_bytes() + limits.capacity() * sizeof(Bfloat16);
 }
 
 }  // namespace cracksim::physics

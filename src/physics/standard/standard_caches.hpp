@@ -1,14 +1,54 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "core/symmetric_tensor.hpp"
 #include "physics/lattice/bfloat16.hpp"
 #include "physics/lattice/row_caches.hpp"
+#include "physics/standard/sweep/standard_view.hpp"
 
 namespace cracksim::physics {
+
+/// The stresses that a sweep stored. Memory that no sweep wrote to takes no pages. A copy has none stored.
+class StoredStresses {
+public:
+    explicit StoredStresses(std::size_t batches)
+        : stored_(batches, 0), by_batch_{std::make_unique_for_overwrite<BatchStress[]>(batches)} {}
+    StoredStresses(const StoredStresses& other) : StoredStresses{other.stored_.size()} {}
+    StoredStresses& operator=(const StoredStresses&) = delete;
+    StoredStresses(StoredStresses&&) = default;
+    StoredStresses& operator=(StoredStresses&&) = default;
+    ~StoredStresses() = default;
+
+    /// [batch]: one bit for each lane whose stress is stored
+    [[nodiscard]] std::uint8_t* stored() { return stored_.data(); }
+    [[nodiscard]] BatchStress* by_batch() { return by_batch_.get(); }
+    [[nodiscard]] bool is_stored(std::size_t site) const {
+        return (stored_[site / Lattice::lanes] >> site % Lattice::lanes & 1U) != 0;
+    }
+    [[nodiscard]] SymmetricTensor of(std::size_t site) const {
+        const BatchStress& batch = by_batch_[site / Lattice::lanes];
+        SymmetricTensor found;
+        for (std::size_t c = 0; c < found.size(); ++c) {
+            found[c] = batch.component[c][site % Lattice::lanes];
+        }
+        return found;
+    }
+    [[nodiscard]] std::size_t memory_bytes() const {
+        return stored_.size() +
+               static_cast<std::size_t>(std::ranges::count_if(stored_, std::identity{})) * sizeof(BatchStress);
+    }
+
+private:
+    std::vector<std::uint8_t> stored_;
+    std::unique_ptr<BatchStress[]> by_batch_;
+};
 
 /// Data derived from network and state that make the sweep over standard entities fast.
 struct StandardCaches {
@@ -25,6 +65,7 @@ struct StandardCaches {
     /// duplets, and with sensors `normal`.
     std::vector<Bfloat16> limits;
     std::vector<std::uint8_t> stretched;  ///< [batch]: one bit for each lane that the sweep found beyond its limit
+    StoredStresses stresses;
 };
 
 }  // namespace cracksim::physics

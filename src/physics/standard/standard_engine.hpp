@@ -20,7 +20,7 @@ public:
                        std::span<CornerForces> found) const override;
     void changed(State& state, std::span<const VertexSite> reparted, std::span<const VertexSite> weakened) override;
     [[nodiscard]] std::vector<LocalDuplet> may_trigger(const State& state) override;
-    [[nodiscard]] std::vector<std::int32_t> faces_that_may_open(const State& state) override;
+    [[nodiscard]] std::vector<std::int32_t> opening_faces(const State& state) override;
     [[nodiscard]] SymmetricTensor stress(const State& state, LocalEntity e) const override;
     [[nodiscard]] std::size_t memory_bytes() const override { return caches_.memory_bytes(); }
 

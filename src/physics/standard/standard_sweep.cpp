@@ -1,5 +1,7 @@
 #include "physics/standard/standard_sweep.hpp"
 
+#include <algorithm>
+
 #include "core/contracts.hpp"
 #include "physics/lattice/views.hpp"
 #include "physics/standard/sweep/standard_row.hpp"
@@ -68,6 +70,8 @@ StandardView<Real> view_of(const Network& network, State& state, StandardCaches&
     v.owned = caches.owned.data();
     v.limits = caches.limits.data();
     v.stretched = caches.stretched.data();
+    v.stored = caches.stresses.stored();
+    v.stresses = caches.stresses.by_batch();
     return v;
 }
 
@@ -85,6 +89,12 @@ void find_forces(const Network& network, const State& state, std::span<const Loc
     GatheredEntities<Real> gathered = gather<Real>(state, entities);
     sweep_standard_entities(inputs_of<Real>(network, state), gathered);
     take_forces(gathered, found);
+}
+
+template <class Real>
+void find_stresses(const Network& network, const State& state, std::span<const LocalEntity> entities,
+                   BatchStress& found) {
+    find_standard_stresses(inputs_of<Real>(network, state), gather<Real>(state, entities), found);
 }
 
 }  // namespace
@@ -110,6 +120,26 @@ void find_standard_corner_forces(const Network& network, const State& state, std
     } else {
         find_forces<double>(network, state, entities, found);
     }
+}
+
+std::vector<SymmetricTensor> find_standard_stresses(const Network& network, const State& state,
+                                                    std::span<const LocalEntity> entities) {
+    std::vector<SymmetricTensor> found(entities.size());
+    for (std::size_t first = 0; first < entities.size(); first += Lattice::lanes) {
+        const auto some = entities.subspan(first, std::min<std::size_t>(Lattice::lanes, entities.size() - first));
+        BatchStress stresses;
+        if (state.motion.precision() == Precision::binary32) {
+            find_stresses<float>(network, state, some, stresses);
+        } else {
+            find_stresses<double>(network, state, some, stresses);
+        }
+        for (std::size_t lane = 0; lane < some.size(); ++lane) {
+            for (std::size_t c = 0; c < found[first + lane].size(); ++c) {
+                found[first + lane][c] = stresses.component[c][lane];
+            }
+        }
+    }
+    return found;
 }
 
 }  // namespace cracksim::physics

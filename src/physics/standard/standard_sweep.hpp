@@ -2,6 +2,7 @@
 
 #include <span>
 #include <variant>
+#include <vector>
 
 #include "physics/engine.hpp"
 #include "physics/standard/standard_caches.hpp"
@@ -31,5 +32,9 @@ private:
 /// Engine::corner_forces for standard entities.
 void find_standard_corner_forces(const Network& network, const State& state, std::span<const LocalEntity> entities,
                                  std::span<CornerForces> found);
+
+/// The elastic stresses of some entities over E, with the bits that the sweep gives.
+[[nodiscard]] std::vector<SymmetricTensor> find_standard_stresses(const Network& network, const State& state,
+                                                                  std::span<const LocalEntity> entities);
 
 }  // namespace cracksim::physics

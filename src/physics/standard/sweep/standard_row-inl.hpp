@@ -40,10 +40,47 @@ struct StandardSums {
     V<Real> elastic;
 };
 
+template <class Real>
+HWY_INLINE void store_as_double(V<Real> v, double* to) {
+    HWY_ALIGN Real lanes[vector_lanes<Real>];
+    hn::Store(v, D<Real>{}, lanes);
+    std::copy_n(lanes, vector_lanes<Real>, to);
+}
+
+/// Stores the stresses of a vector, from the lane on. from: the motions of the corners.
+template <class From, class Real>
+CRACKSIM_INLINE void store_stresses(const StandardConstants<Real>& k, const From& from, std::size_t lane,
+                                    BatchStress& to) {
+    using K = Kind<true, false, false>;
+    Modes<Real> u;
+    find_displacement_modes(from, u);
+    Deformation<Real> now;
+    find_strain(k, u, now);
+    StandardOutcome<Real> outcome;
+    const Stress<Real> stress = find_stress<K>(k, now, Rates<Real>{}, outcome);
+    const V<Real> deviator = hn::Mul(broadcast<Real>(k.inverse_modulus), stress.deviator);
+    for_each<6>([&](auto c) CRACKSIM_INLINE_LAMBDA {
+        const V<Real> isotropic = c < 3 ? outcome.tension : hn::Zero(D<Real>{});
+        store_as_double<Real>(hn::MulAdd(deviator, stress.d.c[c], isotropic), to.component[c] + lane);
+    });
+}
+
+/// Marks the entities of a vector that are beyond their limits, and stores the stresses of all its entities.
+template <class From, class Real>
+HWY_NOINLINE void mark(StandardView<Real>& v, const StandardConstants<Real>& k, const From& from, std::size_t site,
+                       unsigned beyond) {
+    constexpr unsigned all = (1U << vector_lanes<Real>)-1;
+    const std::size_t batch = site / Lattice::lanes;
+    const std::size_t lane = site % Lattice::lanes;
+    v.stretched[batch] |= static_cast<std::uint8_t>(beyond << lane);
+    v.stored[batch] |= static_cast<std::uint8_t>(all << lane);
+    store_stresses(k, from, lane, v.stresses[batch]);
+}
+
 /// Adds the outcome of a vector to the sums and marks the entities beyond their limits of sensing.
-template <class K, class Real>
-HWY_INLINE void add_to_sums(StandardView<Real>& v, const StandardOutcome<Real>& outcome, std::size_t site,
-                            StandardSums<Real>& sums) {
+template <class K, class From, class Real>
+HWY_INLINE void add_to_sums(StandardView<Real>& v, const StandardConstants<Real>& k, const From& from,
+                            const StandardOutcome<Real>& outcome, std::size_t site, StandardSums<Real>& sums) {
     const unsigned owned = lanes_at<Real>(v.owned, site);
     if constexpr (K::damped) {
         sums.dissipated = hn::Add(sums.dissipated, of_lanes<Real>(owned, outcome.dissipated));
@@ -56,7 +93,7 @@ HWY_INLINE void add_to_sums(StandardView<Real>& v, const StandardOutcome<Real>& 
     const auto below = hn::And(hn::Ge(slack, hn::Zero(D<Real>{})), hn::Le(outcome.deviatoric, hn::Mul(slack, slack)));
     const unsigned beyond = ~mask_bits<Real>(below) & lanes_at<Real>(v.present, site);
     if (HWY_UNLIKELY(beyond != 0)) {
-        v.stretched[site / Lattice::lanes] |= static_cast<std::uint8_t>(beyond << site % Lattice::lanes);
+        mark(v, k, from, site, beyond);
     }
 }
 
@@ -87,7 +124,8 @@ HWY_NOINLINE std::size_t sweep_standard_base(StandardView<Real>& v, const RowVie
         }
         Modes<Real> forces;
         StandardOutcome<Real> outcome;
-        find_mode_forces<K>(k, plain_corners_at(v, run, at), forces, outcome);
+        const PlainCorners<Real> from = plain_corners_at(v, run, at);
+        find_mode_forces<K>(k, from, forces, outcome);
         if (HWY_UNLIKELY(present != all)) {
             keep<Real>(present, forces);
         }
@@ -98,7 +136,7 @@ HWY_NOINLINE std::size_t sweep_standard_base(StandardView<Real>& v, const RowVie
             });
         });
         std::fill_n(run.has_before, Lattice::sides, true);
-        add_to_sums<K>(v, outcome, row.first_site + at, sums);
+        add_to_sums<K>(v, k, from, outcome, row.first_site + at, sums);
     }
     return at;
 }
@@ -135,13 +173,14 @@ HWY_NOINLINE void sweep_standard_split(StandardView<Real>& v, const RowView& row
     add_side_in_base<1>(v, site, forces, run, at);
     add_side_in_base<2>(v, site, forces, run, at);
     add_side_in_base<3>(v, site, forces, run, at);
-    add_to_sums<K>(v, outcome, site, sums);
+    add_to_sums<K>(v, k, assembled, outcome, site, sums);
 }
 
 template <class K, class Real>
 void sweep_standard_vectors(StandardView<Real>& v, const RowView& row) {
     const D<Real> d;
     std::fill_n(v.stretched + row.first_site / Lattice::lanes, row.sites / Lattice::lanes, std::uint8_t{0});
+    std::fill_n(v.stored + row.first_site / Lattice::lanes, row.sites / Lattice::lanes, std::uint8_t{0});
     StandardSums<Real> sums{hn::Zero(d), hn::Zero(d)};
     RowRun<Real> run = begin_run(v, row);
     for (std::size_t at = 0; at < row.sites;) {
@@ -185,16 +224,35 @@ void sweep_standard_of(StandardView<Real>& v, const RowView& row, bool measures_
     }
 }
 
+constexpr std::size_t gathered_stride = Hexahedron::corners * std::size_t{Lattice::lanes};
+
+/// The motions of a vector of gathered entities, from the lane on.
+template <class Real>
+CRACKSIM_INLINE void assemble_gathered(const GatheredEntities<Real>& entities, std::size_t lane,
+                                       Assembled<Real>& assembled) {
+    constexpr std::size_t stride = gathered_stride;
+    for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
+        store3(load3(entities.displacement[0][c] + lane, stride), assembled.motion[c][0], vector_lanes<Real>);
+        store3(load3(entities.velocity_increment[0][c] + lane, stride), assembled.motion[c][3], vector_lanes<Real>);
+    }
+}
+
+template <class Real>
+void find_gathered_stresses(const StandardView<Real>& v, const GatheredEntities<Real>& entities, BatchStress& found) {
+    for (std::size_t lane = 0; lane < Lattice::lanes; lane += vector_lanes<Real>) {
+        Assembled<Real> assembled;
+        assemble_gathered(entities, lane, assembled);
+        store_stresses(v.constants, assembled, lane, found);
+    }
+}
+
 template <class K, class Real>
 void sweep_gathered_standard(const StandardView<Real>& v, GatheredEntities<Real>& entities) {
     const StandardConstants<Real> k = v.constants;
-    constexpr std::size_t stride = Hexahedron::corners * Lattice::lanes;
+    constexpr std::size_t stride = gathered_stride;
     for (std::size_t lane = 0; lane < Lattice::lanes; lane += vector_lanes<Real>) {
         Assembled<Real> assembled;
-        for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
-            store3(load3(entities.displacement[0][c] + lane, stride), assembled.motion[c][0], vector_lanes<Real>);
-            store3(load3(entities.velocity_increment[0][c] + lane, stride), assembled.motion[c][3], vector_lanes<Real>);
-        }
+        assemble_gathered(entities, lane, assembled);
         Modes<Real> modes;
         StandardOutcome<Real> outcome;
         find_mode_forces<K>(k, assembled, modes, outcome);
@@ -204,6 +262,11 @@ void sweep_gathered_standard(const StandardView<Real>& v, GatheredEntities<Real>
             store3(forces.f[c], entities.force[0][c] + lane, stride);
         }
     }
+}
+
+void find_standard_stresses_of_real(const StandardView<CRACKSIM_REAL>& v,
+                                    const GatheredEntities<CRACKSIM_REAL>& entities, BatchStress& found) {
+    find_gathered_stresses(v, entities, found);
 }
 
 void sweep_standard_row_of_real(StandardView<CRACKSIM_REAL>& v, const RowView& row, bool measures_elastic) {
@@ -231,6 +294,7 @@ namespace cracksim::physics {
 
 HWY_EXPORT(sweep_standard_row_of_real);
 HWY_EXPORT(sweep_standard_entities_of_real);
+HWY_EXPORT(find_standard_stresses_of_real);
 
 void sweep_standard_row(StandardView<CRACKSIM_REAL>& v, const RowView& row, bool measures_elastic) {
     HWY_DYNAMIC_DISPATCH(sweep_standard_row_of_real)(v, row, measures_elastic);
@@ -238,6 +302,11 @@ void sweep_standard_row(StandardView<CRACKSIM_REAL>& v, const RowView& row, bool
 
 void sweep_standard_entities(const StandardView<CRACKSIM_REAL>& v, GatheredEntities<CRACKSIM_REAL>& entities) {
     HWY_DYNAMIC_DISPATCH(sweep_standard_entities_of_real)(v, entities);
+}
+
+void find_standard_stresses(const StandardView<CRACKSIM_REAL>& v, const GatheredEntities<CRACKSIM_REAL>& entities,
+                            BatchStress& found) {
+    HWY_DYNAMIC_DISPATCH(find_standard_stresses_of_real)(v, entities, found);
 }
 
 }  // namespace cracksim::physics

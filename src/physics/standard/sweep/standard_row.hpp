@@ -12,4 +12,9 @@ void sweep_standard_row(StandardView<float>& v, const RowView& row, bool measure
 void sweep_standard_entities(const StandardView<double>& v, GatheredEntities<double>& entities);
 void sweep_standard_entities(const StandardView<float>& v, GatheredEntities<float>& entities);
 
+/// Computes the stresses of gathered entities, with the bits that the sweep of their rows would give.
+void find_standard_stresses(const StandardView<double>& v, const GatheredEntities<double>& entities,
+                            BatchStress& found);
+void find_standard_stresses(const StandardView<float>& v, const GatheredEntities<float>& entities, BatchStress& found);
+
 }  // namespace cracksim::physics

@@ -31,6 +31,11 @@ struct StandardConstants {
     Real inverse_modulus;                                  ///< 1/(E V), 1/J
 };
 
+/// The elastic stress over E of the entities of a batch, by component (as SymmetricTensor) and lane.
+struct BatchStress {
+    double component[6][Lattice::lanes];
+};
+
 /// Pointers into network, state and caches, the same for all rows.
 template <class Real>
 struct StandardView : MotionView<Real> {
@@ -41,6 +46,8 @@ struct StandardView : MotionView<Real> {
     const std::uint8_t* owned;    ///< [batch]: one bit for each lane whose entity this rank owns
     const Bfloat16* limits;   ///< [site]: largest stress over E below which no interface opens (standard_caches.hpp)
     std::uint8_t* stretched;  ///< out, [batch]: one bit for each lane beyond its limit
+    std::uint8_t* stored;     ///< out, [batch]: one bit for each lane whose stress is stored
+    BatchStress* stresses;    ///< out, [batch]: the stresses of the vectors that have an entity beyond its limit
     double dissipated;        ///< out: sum of the damping's power times dt, J
     double elastic;           ///< out: sum of the elastic energy, J
 };
