@@ -9,6 +9,7 @@
 #include "physics/lattice/lattice_engine.hpp"
 #include "physics/start.hpp"
 #include "physics/state/hashes.hpp"
+#include "physics/state/union_sums.hpp"
 #include "scene/counts.hpp"
 #include "scene/problem.hpp"
 #include "scene/size_limits.hpp"
@@ -36,6 +37,10 @@ std::int64_t count_owned_notched_faces(const physics::Network& network) {
                                  [&](std::int32_t f) { return network.owned(network.interior_faces()[f].a); });
 }
 
+bool has_dashpots(const physics::EntityModel& model) {
+    return std::ranges::any_of(model.interaction, [](const physics::KelvinVoigt& i) { return i.viscosity > 0; });
+}
+
 /// Closed forms where there is no notch. Collective.
 ProblemCounts count(const partition::Communicator& comm, const scene::Scene& scene, const physics::Network& network,
                     const physics::State& state) {
@@ -60,15 +65,17 @@ Dynamics::Dynamics(const partition::Communicator& comm, const scene::Scene& scen
       engine_{std::make_unique<physics::LatticeEngine>(network_, state_)},
       exchange_{comm, network_, decomposition_, state_},
       prefilter_{scene.sensors.prefilter ? physics::Prefilter::on : physics::Prefilter::off},
-      counts_{count(comm, scene, network_, state_)} {
+      counts_{count(comm, scene, network_, state_)},
+      energies_{has_dashpots(network_.model())} {
     exchange_.share_parts(network_, decomposition_, state_, *engine_);
     physics::start(network_, scene::initial_fields(scene), state_, *engine_);
     exchange_.share_increments(network_, decomposition_, state_);
 }
 
 void Dynamics::compute_forces() {
-    const auto measure = physics::Measure::elastic_energy;
-    energies_.begin(stopwatch_->time(Phase::force, [&] { return engine_->forces(state_, measure); }), measure);
+    const physics::Swept swept =
+        stopwatch_->time(Phase::force, [&] { return engine_->forces(state_, physics::Measure::elastic_energy); });
+    energies_.begin(swept, physics::union_sums(network_, state_));
 }
 
 void Dynamics::break_duplets() {
@@ -101,6 +108,18 @@ void Dynamics::advance(physics::Measure measure) {
         stopwatch_->time(Phase::force, [&] { return engine_->advance(state_, received, measure); });
     energies_.advance(swept, measure);
     failure_ = failure_ ? failure_ : swept.failure;
+}
+
+Balance Dynamics::balance() const {
+    const physics::UnionSums sums = physics::union_sums(network_, state_);
+    Balance balance{sums.kinetic,  energies_.elastic(),   energies_.dissipated(sums),
+                    sums.momentum, sums.angular_momentum, {}};
+    for (std::size_t i = 0; i < sums.supports.size(); ++i) {
+        const physics::SupportSums& support = sums.supports[i];
+        balance.supports.push_back(
+            {support.force, support.displacement, support.mass, energies_.external(i, state_.held, sums)});
+    }
+    return balance;
 }
 
 std::span<const Vec3> Dynamics::received_increments() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/problem_counts.hpp"
+#include "dynamics/balance.hpp"
 #include "dynamics/energy_book.hpp"
 #include "dynamics/motion_exchange.hpp"
 #include "dynamics/stopwatch.hpp"
@@ -64,7 +65,9 @@ public:
     [[nodiscard]] const MotionExchange& exchange() const { return exchange_; }
     /// Over all ranks, at the start.
     [[nodiscard]] const ProblemCounts& counts() const { return counts_; }
-    [[nodiscard]] const EnergyBook& energies() const { return energies_; }
+    /// Energies, momenta and supports: this rank's share, whose sum over the ranks is the whole. The elastic energy is
+    /// that of the last step that measured it.
+    [[nodiscard]] Balance balance() const;
     /// The first failure of a motion on this rank, if there was one.
     [[nodiscard]] const std::optional<physics::MotionFailure>& failure() const { return failure_; }
     /// Bytes of network, state and engine.

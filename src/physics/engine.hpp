@@ -27,10 +27,15 @@ struct MotionFailure {
     bool finite;  ///< false: the increment is not a number or infinite
 };
 
-/// The results of a sweep over all local entities. Energies are sums over the owned entities.
+/// The results of a sweep over all local entities. `dissipated` and `elastic` are sums over the interactions of the
+/// owned entities. How dissipation follows from `dissipated` and `kick`: dynamics/energy_book.hpp.
 struct Swept {
-    double dissipated{0};  ///< J, z (v.n)^2 dt at the state of the forces
-    double elastic{0};     ///< J; 0 if it was not measured
+    /// J, sum of  z/dt (dw.n)(de.n) + k [r^3 (dw.d')^2 / L0^2 + (1 - r) dw.dw] / 2  at the state of the forces: w is the
+    /// last increment, e the one that damping uses, d' = d - dw/2 and r = L0/|d|. The second term is half the change of
+    /// the elastic force over the last increment, times the increment. It is zero in a rotation without strain.
+    double dissipated{0};
+    double elastic{0};  ///< J; 0 if it was not measured
+    double kick{0};     ///< J, sum over the owned unions of F(n).(w(n+1) - w(n)), after an advance
     std::optional<MotionFailure> failure;
 };
 
@@ -49,8 +54,8 @@ public:
     virtual Swept forces(State& state, Measure measure) = 0;
     /// Advances every union of this rank by one step, from the forces of the state:
     ///     w <- w + dt^2 F(u, w)/M,  u <- u + w,
-    /// and computes the forces at the new state. Held components move as their supports prescribe; the work of the
-    /// supports is added to state.held.work. received: the next increments of the received masses, m, in the order of
+    /// and computes the forces at the new state. Held components move as their supports prescribe; their work
+    /// R(n).(w(n) + w(n+1))/2, with the forces R of the supports, is added to state.held. received: the next increments of the received masses, m, in the order of
     /// Network::received; of each union, only the increment of the first mass is read. state.step becomes n + 1.
     virtual Swept advance(State& state, std::span<const Vec3> received, Measure measure) = 0;
     /// Computes the increments that the next advance will give to some touched unions, bit for bit: increment i, m, is

@@ -103,4 +103,12 @@ struct Scene {
     std::vector<std::string> warnings;  ///< for the user: input that is valid but probably a mistake
 };
 
+[[nodiscard]] inline std::vector<std::string> support_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const SupportSettings& support : scene.supports) {
+        names.push_back(support.name);
+    }
+    return names;
+}
+
 }  // namespace cracksim::scene

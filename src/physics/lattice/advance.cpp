@@ -35,17 +35,20 @@ void extrapolate(State& state, LocalUnion s, Vec3 now, Vec3 before) {
     }
 }
 
-/// Replaces the held components by the prescribed ones and adds the work of the support's force on the union.
-void correct_held(const Network& network, State& state, const Before& before) {
+/// Replaces the held components by the prescribed ones and adds the work of the supports' forces on the union. Returns
+/// F.(w - free): what the supports add to the kick.
+double correct_held(const Network& network, State& state, const Before& before) {
     const Vec3 free = state.increment(before.local_union);
     const Vec3 w = state.motion.rounded(prescribed(network, state, before.local_union, free, 0.5));
     state.set_increment(before.local_union, w);
     state.set_displacement(before.local_union, before.displacement + w);
     extrapolate(state, before.local_union, w, before.increment);
-    if (network.owned(entity_of(state.unions.smallest_mass(before.local_union)))) {
-        const Vec3 support_force = (1.0 / state.dt2_over_mass(before.local_union)) * (w - free);
-        state.held.work += 0.5 * dot(support_force, w + before.increment);
+    if (!network.owned(entity_of(state.unions.smallest_mass(before.local_union)))) {
+        return 0;
     }
+    const double mass_over_dt2 = 1.0 / state.dt2_over_mass(before.local_union);
+    state.held.add_work(before.local_union, mass_over_dt2 * (w - free), 0.5 * (w + before.increment));
+    return mass_over_dt2 * dot(free - before.increment, w - free);
 }
 
 void correct_received(State& state, const Before& before, Vec3 increment) {
@@ -109,6 +112,8 @@ public:
 
     /// True if an increment is not finite or too long.
     [[nodiscard]] bool failed() const { return failed_; }
+    /// Swept::kick.
+    [[nodiscard]] double kick() const { return kick_; }
 
 private:
     /// The layers of corners on a side, without the base layer, if the pool has unions of this row and side; else none.
@@ -155,9 +160,11 @@ private:
                                motion.next_pooled(),
                                state_->scheme == Scheme::ab2,
                                longest_,
-                               failed_};
+                               failed_,
+                               kick_};
         advance_layers(view);
         failed_ = view.failed;
+        kick_ = view.kick;
     }
 
     [[nodiscard]] std::array<PoolPlace, Lattice::sides> find_pooled(std::size_t row, unsigned met) const {
@@ -189,6 +196,11 @@ private:
     }
 
     void remember(std::size_t row, unsigned met) {
+        for (const LocalUnion s : caches_->foreign.in_row(row)) {
+            if ((met & bit_of(layer_of(s))) != 0) {
+                kick_ -= state_->dt2_over_mass(s) * dot(state_->force(s), state_->force(s));
+            }
+        }
         before_.clear();
         const auto keep = [&](LocalUnion s) { before_.push_back({s, state_->displacement(s), state_->increment(s)}); };
         for_each_held(row, met, keep);
@@ -198,7 +210,7 @@ private:
 
     void correct(std::size_t row, unsigned met) {
         for (std::size_t i = 0; i < held_count_; ++i) {
-            correct_held(*network_, *state_, before_[i]);
+            kick_ += correct_held(*network_, *state_, before_[i]);
             failed_ = failed_ || !is_within(state_->increment(before_[i].local_union), longest_);
         }
         auto before = before_.cbegin() + static_cast<std::ptrdiff_t>(held_count_);
@@ -212,6 +224,7 @@ private:
     std::span<const Vec3> received_;
     double longest_;
     bool failed_{false};
+    double kick_{0};
     std::vector<Before> before_;
     std::size_t held_count_{0};  ///< number of held unions; they come first in before_
 };
@@ -228,6 +241,7 @@ Swept advance_and_sweep(const Network& network, State& state, LatticeCaches& cac
         sweep.sweep_row(row);
     }
     Swept found = sweep.found();
+    found.kick = advancer.kick();
     if (advancer.failed()) {
         found.failure = find_failure(network, state);
     }

@@ -10,7 +10,8 @@ LatticeCaches::LatticeCaches(const Network& network, const State& state)
       limits{state.lattice()},
       exceeded(state.lattice().batches()),
       held_in_row(state.lattice().vertex_rows().size()),
-      received{network, state.unions} {
+      received{network, state.unions},
+      foreign{network, state.unions} {
     pooled.find(state.unions, state.motion);
     add_held(state);
     for (VertexSite v{0}; v.index() < state.lattice().vertex_sites(); ++v) {
@@ -33,6 +34,7 @@ void LatticeCaches::update(const Network& network, State& state, std::span<const
     add_held(state);
     if (!network.received().empty()) {
         received.update(network, state.unions, reparted);
+        foreign.update(network, state.unions, reparted);
     }
 }
 
@@ -47,7 +49,7 @@ void LatticeCaches::add_held(const State& state) {
 std::size_t LatticeCaches::memory_bytes() const {
     return pooled.memory_bytes() + shared_edges.memory_bytes() + limits.memory_bytes() +
            exceeded.capacity() * sizeof(EdgeBits) + held_in_row.size() * sizeof(std::vector<std::size_t>) +
-           received.memory_bytes();
+           received.memory_bytes() + foreign.memory_bytes();
 }
 
 }  // namespace cracksim::physics

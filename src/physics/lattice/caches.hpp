@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/lattice/edge_limits.hpp"
+#include "physics/lattice/foreign_unions.hpp"
 #include "physics/lattice/pooled_corners.hpp"
 #include "physics/lattice/received_unions.hpp"
 #include "physics/lattice/shared_edges.hpp"
@@ -18,7 +19,7 @@ namespace cracksim::physics {
 struct LatticeCaches {
     LatticeCaches(const Network& network, const State& state);
 
-    /// Updates pooled corners, shared edges, held unions and received unions at the vertices where parts of masses
+    /// Updates pooled corners, shared edges, held, received and foreign unions at the vertices where parts of masses
     /// changed; each vertex must occur once. Does not update the limits. May reorder the motion's pool.
     void update(const Network& network, State& state, std::span<const VertexSite> reparted);
     [[nodiscard]] std::size_t memory_bytes() const;
@@ -29,6 +30,7 @@ struct LatticeCaches {
     std::vector<EdgeBits> exceeded;  ///< [batch]: edges stretched beyond their limits, which the sweep marks
     std::vector<std::vector<std::size_t>> held_in_row;  ///< by vertex row: indices into HeldUnions::all
     ReceivedUnions received;
+    ForeignUnions foreign;
 
 private:
     void add_held(const State& state);

@@ -16,9 +16,12 @@ InteractionConstants<Real> constants(const EntityModel& model, std::size_t kind,
                         model.rest_length[other] == model.rest_length[i]);
     }
     const double squared = model.rest_length[i] * model.rest_length[i];
-    return {real(1 / squared), real(model.interaction[i].stiffness),
+    return {real(1 / squared),
+            real(model.interaction[i].stiffness),
             real(model.interaction[i].viscosity / (dt * squared)),
-            real(0.5 * model.interaction[i].stiffness * squared)};
+            real(0.5 * model.interaction[i].stiffness * squared),
+            real(0.5 * model.interaction[i].stiffness),
+            real(0.5 * model.interaction[i].stiffness / squared)};
 }
 
 template <class Real>
@@ -111,7 +114,7 @@ void ForceSweep::sweep_row(std::size_t row) {
 }
 
 Swept ForceSweep::found() const {
-    return std::visit([](const auto& view) { return Swept{view.dissipated, view.elastic, std::nullopt}; }, view_);
+    return std::visit([](const auto& view) { return Swept{view.dissipated, view.elastic, 0, std::nullopt}; }, view_);
 }
 
 void find_corner_forces(const Network& network, const State& state, const LatticeCaches& caches,

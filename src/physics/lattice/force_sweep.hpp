@@ -25,7 +25,7 @@ public:
 
     /// Also marks the edges that are stretched beyond their limits, in LatticeCaches::exceeded.
     void sweep_row(std::size_t row);
-    /// The energies of the owned entities in the rows swept so far.
+    /// The sums over the owned entities in the rows swept so far.
     [[nodiscard]] Swept found() const;
 
 private:

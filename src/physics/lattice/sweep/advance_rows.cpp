@@ -17,6 +17,17 @@ HWY_INLINE Vector next_increment(Vector increment, Vector dt2_over_mass, Vector 
     return hn::MulAdd(dt2_over_mass, hn::Add(force, hn::Zero(d)), increment);
 }
 
+/// The results over the vectors that are advanced.
+template <class Vector>
+struct Advanced {
+    Vector kick;                        ///< sum of F.dw
+    hn::Mask<hn::DFromV<Vector>> sane;  ///< the lanes whose increments are finite and below the limit
+};
+template <class Tag>
+HWY_INLINE Advanced<hn::Vec<Tag>> none_advanced(Tag d) {
+    return {hn::Zero(d), hn::Eq(hn::Zero(d), hn::Zero(d))};
+}
+
 /// Pointers to components of some unions' motions.
 template <class Real>
 struct ComponentView {
@@ -26,13 +37,15 @@ struct ComponentView {
     Real* extrapolated;  ///< null without ab2
 };
 
-/// Advances some components by one step. Returns the mask of the lanes whose increments are valid: finite and below the
-/// limit.
+/// Advances some components by one step.
 template <bool Extrapolate, class Real, class Vector>
-HWY_INLINE auto advance_component(const ComponentView<Real>& v, Vector dt2_over_mass, Vector limit) {
+HWY_INLINE void advance_component(const ComponentView<Real>& v, Vector dt2_over_mass, Vector limit,
+                                  Advanced<Vector>& found) {
     const hn::DFromV<Vector> d;
     const Vector before = hn::Load(d, v.increment);
-    const Vector w = next_increment(before, dt2_over_mass, hn::Load(d, v.force));
+    const Vector force = hn::Load(d, v.force);
+    const Vector w = next_increment(before, dt2_over_mass, force);
+    found.kick = hn::MulAdd(hn::Mul(dt2_over_mass, force), force, found.kick);
     hn::Store(w, d, v.increment);
     hn::Store(hn::Add(hn::Load(d, v.displacement), w), d, v.displacement);
     hn::Store(hn::Zero(d), d, v.force);
@@ -40,27 +53,34 @@ HWY_INLINE auto advance_component(const ComponentView<Real>& v, Vector dt2_over_
         const Vector now = hn::Mul(hn::Set(d, static_cast<Real>(1.5)), w);
         hn::Store(hn::Sub(now, hn::Mul(hn::Set(d, static_cast<Real>(0.5)), before)), d, v.extrapolated);
     }
-    return hn::Lt(hn::Abs(w), limit);
+    found.sane = hn::And(found.sane, hn::Lt(hn::Abs(w), limit));
 }
 
 template <bool Extrapolate, class Real>
-HWY_INLINE void advance_lanes(Real* first, std::size_t stride, V<Real> limit, hn::Mask<D<Real>>& sane) {
+HWY_INLINE void advance_lanes(Real* first, std::size_t stride, V<Real> limit, Advanced<V<Real>>& found) {
     const auto component = [&](std::size_t quantity) { return first + quantity * stride; };
     const V<Real> dt2_over_mass = hn::Load(D<Real>{}, component(Quantity::dt2_over_mass));
     for (std::size_t i = 0; i < 3; ++i) {
         const ComponentView<Real> v{component(Quantity::displacement + i), component(Quantity::increment + i),
                                     component(Quantity::force + i),
                                     Extrapolate ? component(Quantity::extrapolated + i) : nullptr};
-        sane = hn::And(sane, advance_component<Extrapolate>(v, dt2_over_mass, limit));
+        advance_component<Extrapolate>(v, dt2_over_mass, limit, found);
     }
 }
 
-/// Advances the unions in the pool. Returns false if an increment is invalid.
+template <class Vector, class Real>
+HWY_INLINE void add_to_view(const Advanced<Vector>& found, AdvanceView<Real>& v) {
+    const hn::DFromV<Vector> d;
+    v.kick += hn::GetLane(hn::SumOfLanes(d, found.kick));
+    v.failed = v.failed || !hn::AllTrue(d, found.sane);
+}
+
+/// Advances the unions in the pool.
 template <bool Extrapolate, class Real>
-HWY_INLINE bool advance_pooled(const AdvanceView<Real>& v) {
+HWY_INLINE void advance_pooled(AdvanceView<Real>& v) {
     const hn::CappedTag<Real, Pooled::together> d;
     const auto limit = hn::Set(d, static_cast<Real>(v.longest_increment));
-    auto sane = hn::Eq(limit, limit);
+    auto found = none_advanced(d);
     for (const PoolPlace first : v.pooled) {
         for (PoolPlace place = first; place != PoolPlace{}; place = v.next_pooled[place.index()]) {
             Real* const numbers = v.pool + place.index() * v.pool_stride;
@@ -70,23 +90,23 @@ HWY_INLINE bool advance_pooled(const AdvanceView<Real>& v) {
                 const ComponentView<Real> all{component(Quantity::displacement), component(Quantity::increment),
                                               component(Quantity::force),
                                               Extrapolate ? component(Quantity::extrapolated) : nullptr};
-                sane = hn::And(sane, advance_component<Extrapolate>(all, dt2_over_mass, limit));
+                advance_component<Extrapolate>(all, dt2_over_mass, limit, found);
             }
         }
     }
-    return hn::AllTrue(d, sane);
+    add_to_view(found, v);
 }
 
 template <bool Extrapolate, class Real>
 void advance_all(AdvanceView<Real>& v) {
     const D<Real> d;
     const V<Real> limit = broadcast<Real>(v.longest_increment);
-    auto sane = hn::Eq(hn::Zero(d), hn::Zero(d));
+    auto found = none_advanced(d);
     for (std::size_t at = 0; at < v.length; at += hn::Lanes(d)) {
-        advance_lanes<Extrapolate>(v.base + at, v.base_stride, limit, sane);
+        advance_lanes<Extrapolate>(v.base + at, v.base_stride, limit, found);
     }
-    const bool pool_is_sane = advance_pooled<Extrapolate>(v);
-    v.failed = v.failed || !hn::AllTrue(d, sane) || !pool_is_sane;
+    add_to_view(found, v);
+    advance_pooled<Extrapolate>(v);
 }
 
 template <class Real>

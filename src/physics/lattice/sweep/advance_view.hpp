@@ -21,6 +21,7 @@ struct AdvanceView {
     bool extrapolates;
     double longest_increment;  ///< m; a longer increment is invalid
     bool failed;               ///< out: an increment is longer or not a number
+    double kick;               ///< out: sum of F.dw, J; dw = dt^2 F/M is the change of the increment
 };
 
 /// Components of some unions, from which their next increments are computed.

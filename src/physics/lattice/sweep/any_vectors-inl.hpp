@@ -75,7 +75,7 @@ HWY_INLINE V3<Real> zero_unless(std::uint8_t lanes, const V3<Real>& v) {
 }
 
 /// Copies the motions of all corners from base layer and pool into one array.
-template <class Real>
+template <Sums Which, class Real>
 CRACKSIM_INLINE void assemble(const SweepView<Real>& v, const RowView& row, std::size_t at,
                               Assembled<Real>& assembled) {
     const bool all_pooled = is_pooled(v, row.first_site + at);
@@ -85,6 +85,10 @@ CRACKSIM_INLINE void assemble(const SweepView<Real>& v, const RowView& row, std:
         store3(load3(base, v.base_stride), assembled.motion[c][0], vector_lanes<Real>);
         store3(load3(base + v.velocity_quantity * v.base_stride, v.base_stride), assembled.motion[c][3],
                vector_lanes<Real>);
+        if constexpr (Which == Sums::extrapolated) {
+            store3(load3(base + Quantity::increment * v.base_stride, v.base_stride), assembled.motion[c][6],
+                   vector_lanes<Real>);
+        }
     }
     const std::size_t velocity = Pooled::at(v.velocity_quantity);
     for_each_pooled(v, row.first_site + at, [&](PoolPlace place, std::size_t corner, std::size_t lane) {
@@ -92,6 +96,9 @@ CRACKSIM_INLINE void assemble(const SweepView<Real>& v, const RowView& row, std:
         for (std::size_t axis = 0; axis < 3; ++axis) {
             assembled.motion[corner][axis][lane] = from[axis];
             assembled.motion[corner][3 + axis][lane] = from[velocity + axis];
+            if constexpr (Which == Sums::extrapolated) {
+                assembled.motion[corner][6 + axis][lane] = from[Pooled::at(Quantity::increment) + axis];
+            }
         }
     });
 }
@@ -129,48 +136,48 @@ CRACKSIM_INLINE void add_side_in_base(const SweepView<Real>& v, std::size_t site
 }
 
 /// Adds the forces of the represented interactions of a vector's entities. from: the motions of their corners.
-template <bool Measured, class From, class Real>
+template <Sums Which, class From, class Real>
 CRACKSIM_INLINE void add_interactions(const SweepView<Real>& v, std::size_t site, unsigned represented,
                                       const From& from, Forces<Real>& forces, Outcome<Real>& outcome) {
     const std::uint8_t* multiplicities = multiplicities_of(v, site);
     const LimitsHere limits = limits_of(v, site);
-    add_represented<false, Measured>(v, represented, from, multiplicities, limits, forces, outcome);
+    add_represented<false, Which>(v, represented, from, multiplicities, limits, forces, outcome);
     if (is_far(outcome)) {
-        add_far<Measured>(v, represented, from, multiplicities, limits, forces, outcome);
+        add_far<Which>(v, represented, from, multiplicities, limits, forces, outcome);
     }
 }
 
 /// Sweeps the vector of entities at the place `at` of a row. All its corners must be in the base layer; the entities
 /// may represent any interactions.
-template <bool Measured, class Real>
+template <Sums Which, class Real>
 HWY_NOINLINE void sweep_base(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
                              unsigned represented, RowSums<Real>& sums) {
     Forces<Real> forces;
     Outcome<Real> outcome;
-    add_interactions<Measured>(v, row.first_site + at, represented, plain_corners_at(v, run, at), forces, outcome);
+    add_interactions<Which>(v, row.first_site + at, represented, plain_corners_at(v, run, at), forces, outcome);
     add_sides(forces, run, at);
-    add_to_sums<Measured>(v, outcome, owned_of(v, row.first_site + at), row.first_site + at, sums);
+    add_to_sums<Which>(v, outcome, owned_of(v, row.first_site + at), row.first_site + at, sums);
 }
 
 /// Sweeps the vector of entities at the place `at` of a row. Its corners may be in base layer and pool.
-template <bool Measured, class Real>
+template <Sums Which, class Real>
 HWY_NOINLINE void sweep_split(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
                               unsigned represented, RowSums<Real>& sums) {
     const std::size_t site = row.first_site + at;
     Assembled<Real> assembled;
-    assemble(v, row, at, assembled);
+    assemble<Which>(v, row, at, assembled);
     Forces<Real> forces;
     Outcome<Real> outcome;
-    add_interactions<Measured>(v, site, represented, assembled, forces, outcome);
+    add_interactions<Which>(v, site, represented, assembled, forces, outcome);
     add_to_pool(v, site, forces);
     add_side_in_base<0>(v, site, forces, run, at);
     add_side_in_base<1>(v, site, forces, run, at);
     add_side_in_base<2>(v, site, forces, run, at);
     add_side_in_base<3>(v, site, forces, run, at);
-    add_to_sums<Measured>(v, outcome, owned_of(v, site), site, sums);
+    add_to_sums<Which>(v, outcome, owned_of(v, site), site, sums);
 }
 
-template <bool Measured, class Real>
+template <Sums Which, class Real>
 CRACKSIM_INLINE void sweep_any(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
                                RowSums<Real>& sums) {
     const std::size_t site = row.first_site + at;
@@ -178,9 +185,9 @@ CRACKSIM_INLINE void sweep_any(SweepView<Real>& v, const RowView& row, RowRun<Re
     if (represented == 0) {
         deliver(run, at);
     } else if (is_base(v, site)) {
-        sweep_base<Measured>(v, row, run, at, represented, sums);
+        sweep_base<Which>(v, row, run, at, represented, sums);
     } else {
-        sweep_split<Measured>(v, row, run, at, represented, sums);
+        sweep_split<Which>(v, row, run, at, represented, sums);
     }
 }
 

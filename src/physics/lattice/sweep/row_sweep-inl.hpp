@@ -23,7 +23,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-template <bool Measured, class Real>
+template <Sums Which, class Real>
 void sweep_vectors(SweepView<Real>& v, const RowView& row) {
     const D<Real> d;
     std::fill_n(v.exceeded + row.first_site / Lattice::lanes, row.sites / Lattice::lanes, EdgeBits{});
@@ -39,26 +39,28 @@ void sweep_vectors(SweepView<Real>& v, const RowView& row) {
                    represented_by(v, row.first_site + end) == list) {
                 end += vector_lanes<Real>;
             }
-            done = sweep_plain<Measured>(list, v, row, run, at, end, sums);
+            done = sweep_plain<Which>(list, v, row, run, at, end, sums);
         }
         for (; !done && at < end; at += vector_lanes<Real>) {
-            sweep_any<Measured>(v, row, run, at, sums);
+            sweep_any<Which>(v, row, run, at, sums);
         }
         at = end;
     }
     deliver(run, row.sites);
     v.dissipated += hn::GetLane(hn::SumOfLanes(d, sums.dissipated));
-    if constexpr (Measured) {
+    if constexpr (Which != Sums::dissipated) {
         v.elastic += hn::GetLane(hn::SumOfLanes(d, sums.elastic));
     }
 }
 
 template <class Real>
 void sweep_row_of(SweepView<Real>& v, const RowView& row, bool measures_elastic) {
-    if (measures_elastic) {
-        sweep_vectors<true>(v, row);
+    if (v.velocity_quantity == Quantity::extrapolated) {
+        sweep_vectors<Sums::extrapolated>(v, row);
+    } else if (measures_elastic) {
+        sweep_vectors<Sums::elastic_too>(v, row);
     } else {
-        sweep_vectors<false>(v, row);
+        sweep_vectors<Sums::dissipated>(v, row);
     }
 }
 
@@ -78,7 +80,7 @@ void sweep_gathered(const SweepView<Real>& v, GatheredEntities<Real>& entities) 
         }
         Forces<Real> forces;
         Outcome<Real> outcome;
-        add_far<false>(v, 0xffffU, assembled, ones, limits, forces, outcome);
+        add_far<Sums::dissipated>(v, 0xffffU, assembled, ones, limits, forces, outcome);
         for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
             store3(forces.f[c], entities.force[0][c] + lane, stride);
         }

@@ -17,6 +17,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
+/// The energies that a sweep adds up: the dissipated one (sweep_view.hpp), or the elastic one too. With increments that
+/// damping extrapolates, both are added up, and the increments themselves are read as well.
+enum class Sums { dissipated, elastic_too, extrapolated };
+
 /// The results over all interactions of a vector's entities: energies, the range of the strains, and exceeded limits.
 template <class Real>
 struct Outcome {
@@ -35,13 +39,16 @@ HWY_INLINE Outcome<Real> no_outcome() {
 }
 
 /// The interactions of a vector's entities, by number: d = d0 + du; the quadratic strain
-/// |d|^2/L0^2 - 1 = (2 d0 + du).du / L0^2, computed without cancellation; the rate dw.d; the multiplicity; and the
-/// factor, which times d is the force on the first corner. Only the interactions that are needed are set.
+/// |d|^2/L0^2 - 1 = (2 d0 + du).du / L0^2, computed without cancellation; the rate dw.d with the increment that damping
+/// uses; dw.d and dw.dw with the last increment; the multiplicity; and the factor, which times d is the force on the
+/// first corner. Only the interactions that are needed are set.
 template <class Real>
 struct Interactions {
     V<Real> distance[3][HexahedronPairs::count];
     V<Real> quadratic_strain[HexahedronPairs::count];
     V<Real> rate[HexahedronPairs::count];
+    V<Real> last_rate[HexahedronPairs::count];  ///< set only if damping extrapolates; else it is the rate
+    V<Real> last_squared[HexahedronPairs::count];
     V<Real> multiplicity[HexahedronPairs::count];
     V<Real> factor[HexahedronPairs::count];
 };
@@ -70,10 +77,22 @@ HWY_INLINE void add_component(V<Real> edge, V<Real> du, V<Real> dw, Interactions
     all.rate[I] = Axis == 0 ? hn::Mul(dw, distance) : hn::MulAdd(dw, distance, all.rate[I]);
 }
 
-/// The displacements of a vector's corners and the increments that damping uses, copied into one array.
+/// Adds the contribution of the last increments along an axis. Must follow add_component.
+template <Sums Which, std::size_t I, std::size_t Axis, class Real>
+HWY_INLINE void add_last_increment(V<Real> dw, Interactions<Real>& all) {
+    const auto add = [](V<Real> a, V<Real> b, V<Real>& sum)
+                         CRACKSIM_INLINE_LAMBDA { sum = Axis == 0 ? hn::Mul(a, b) : hn::MulAdd(a, b, sum); };
+    add(dw, dw, all.last_squared[I]);
+    if constexpr (Which == Sums::extrapolated) {
+        add(dw, all.distance[Axis][I], all.last_rate[I]);
+    }
+}
+
+/// The displacements of a vector's corners, the increments that damping uses, and the last increments if these are
+/// others, copied into one array.
 template <class Real>
 struct Assembled {
-    HWY_ALIGN Real motion[Hexahedron::corners][6][vector_lanes<Real>];
+    HWY_ALIGN Real motion[Hexahedron::corners][9][vector_lanes<Real>];
 
     template <std::size_t C, std::size_t Axis>
     HWY_INLINE V<Real> displacement() const {
@@ -82,6 +101,10 @@ struct Assembled {
     template <std::size_t C, std::size_t Axis>
     HWY_INLINE V<Real> velocity_increment() const {
         return hn::Load(D<Real>{}, motion[C][3 + Axis]);
+    }
+    template <std::size_t C, std::size_t Axis>
+    HWY_INLINE V<Real> last_increment() const {
+        return hn::Load(D<Real>{}, motion[C][6 + Axis]);
     }
 };
 
@@ -98,39 +121,53 @@ constexpr bool is_met(unsigned list, int corner) {
 
 /// Adds the components of some interactions along an axis. For one axis, the motions of the corners are loaded once and
 /// stay in registers.
-template <std::size_t Axis, class From, class Real, std::size_t... I>
+template <Sums Which, std::size_t Axis, class From, class Real, std::size_t... I>
 CRACKSIM_INLINE void add_components(const SweepView<Real>& v, const From& from, Interactions<Real>& all,
                                     std::index_sequence<I...>) {
     constexpr unsigned list = ((1U << I) | ...);
     V<Real> u[Hexahedron::corners];
     V<Real> w[Hexahedron::corners];
+    V<Real> last[Hexahedron::corners];
     for_each<Hexahedron::corners>([&](auto c) CRACKSIM_INLINE_LAMBDA {
         if constexpr (is_met(list, c)) {
             u[c] = from.template displacement<c, Axis>();
             w[c] = from.template velocity_increment<c, Axis>();
+            if constexpr (Which == Sums::extrapolated) {
+                last[c] = from.template last_increment<c, Axis>();
+            }
         }
     });
     const V<Real> edge = broadcast<Real>(v.edge[Axis]);
     const auto add = [&](auto i) CRACKSIM_INLINE_LAMBDA {
         constexpr auto a = static_cast<std::size_t>(HexahedronPairs::corners[i][0]);
         constexpr auto b = static_cast<std::size_t>(HexahedronPairs::corners[i][1]);
-        add_component<i, Axis>(edge, hn::Sub(u[b], u[a]), hn::Sub(w[b], w[a]), all);
+        const V<Real> dw = hn::Sub(w[b], w[a]);
+        add_component<i, Axis>(edge, hn::Sub(u[b], u[a]), dw, all);
+        if constexpr (Which == Sums::extrapolated) {
+            add_last_increment<Which, i, Axis>(hn::Sub(last[b], last[a]), all);
+        } else {
+            add_last_increment<Which, i, Axis>(dw, all);
+        }
     };
     (add(std::integral_constant<std::size_t, I>{}), ...);
 }
 
 /// Completes the quadratic strain of interaction I and updates the largest magnitude. Plain: no entity is void, so all
 /// ends are corners of entities. Far: the general form is used, so the largest magnitude is not needed.
-template <std::size_t I, bool Plain, bool Far, class Real>
+template <Sums Which, std::size_t I, bool Plain, bool Far, class Real>
 CRACKSIM_INLINE void complete_strain(const SweepView<Real>& v, Interactions<Real>& all, Outcome<Real>& sums) {
     V<Real>& quadratic_strain = all.quadratic_strain[I];
     quadratic_strain = hn::Mul(broadcast<Real>(v.kind[kind_of(I)].inverse_squared_length), quadratic_strain);
     if constexpr (!Plain) {
         // If the entity is void or another entity represents the interaction, the ends may be so far apart that 0 times
-        // the force is not zero. So strain and rate are set to zero.
+        // the force is not zero. So strain and rates are set to zero.
         const auto represented = hn::Ne(all.multiplicity[I], hn::Zero(D<Real>{}));
         quadratic_strain = hn::IfThenElseZero(represented, quadratic_strain);
         all.rate[I] = hn::IfThenElseZero(represented, all.rate[I]);
+        all.last_squared[I] = hn::IfThenElseZero(represented, all.last_squared[I]);
+        if constexpr (Which == Sums::extrapolated) {
+            all.last_rate[I] = hn::IfThenElseZero(represented, all.last_rate[I]);
+        }
     }
     if constexpr (!Far) {
         sums.largest = larger_magnitude<Real>(sums.largest, quadratic_strain);

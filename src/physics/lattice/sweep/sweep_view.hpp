@@ -64,6 +64,8 @@ struct InteractionConstants {
     Real stiffness;               ///< k, N/m
     Real viscosity_rate;          ///< z/(dt L0^2), N/m3
     Real half_energy;             ///< k L0^2/2, J
+    Real half_stiffness;          ///< k/2, N/m
+    Real half_stiffness_rate;     ///< k/(2 L0^2), N/m3
 };
 
 /// A row of cells: its sites, and the vertex sites of its first cell's lower corners.
@@ -91,7 +93,7 @@ struct SweepView {
     const Bfloat16* limits;              ///< [batch][edge][lane]
     const Bfloat16* lowest_limit;        ///< [half of a batch]
     EdgeBits* exceeded;                  ///< [batch]: edges stretched beyond their limit
-    double dissipated;                   ///< out: sum of (z/dt) (dw.n)^2, J
+    double dissipated;                   ///< out: Swept::dissipated, J
     double elastic;                      ///< out: sum of k e^2 / 2, J
 };
 
