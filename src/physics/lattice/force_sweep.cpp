@@ -16,11 +16,8 @@ InteractionConstants<Real> constants(const EntityModel& model, std::size_t kind,
                         model.rest_length[other] == model.rest_length[i]);
     }
     const double squared = model.rest_length[i] * model.rest_length[i];
-    return {real(1 / squared),
-            real(model.interaction[i].stiffness),
-            real(model.interaction[i].viscosity / (dt * squared)),
-            real(0.5 * model.interaction[i].stiffness * squared),
-            real(0.5 * model.interaction[i].stiffness),
+    return {real(1 / squared), real(model.interaction[i].stiffness),
+            real(model.interaction[i].viscosity / (dt * squared)), real(0.5 * model.interaction[i].stiffness * squared),
             real(0.5 * model.interaction[i].stiffness / squared)};
 }
 

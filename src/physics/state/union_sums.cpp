@@ -1,8 +1,8 @@
 #include "physics/state/union_sums.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
+#include <span>
 
 #include "physics/state/prescribed_motion.hpp"
 
@@ -27,13 +27,13 @@ class RestPositions {
 public:
     explicit RestPositions(const Network& network) : network_{&network}, edge_{network.block().edge().x} {}
 
-    Vec3 at(VertexSite v, LocalMass mass_there) {
+    Vec3 at(VertexSite v) {
         if (v.value() >= end_) {
             const Lattice& lattice = network_->lattice();
             const auto& row = lattice.vertex_rows()[static_cast<std::size_t>(lattice.vertex_row(v))];
             end_ = row.first + row.length;
             first_ = v.value();
-            at_first_ = network_->rest_position(mass_there);
+            at_first_ = network_->rest_position(lattice.smallest_at(v));
         }
         return {at_first_.x + edge_ * (v.value() - first_), at_first_.y, at_first_.z};
     }
@@ -52,29 +52,30 @@ struct FreeMotion {
     Vec3 last;  ///< w(n)
     Vec3 next;  ///< w(n+1)
     Vec3 force;
-    double mass;
+    double mass_over_dt2;  ///< kg/s2
 };
 
 FreeMotion free_motion(const State& state, LocalUnion s) {
-    const double dt2_over_mass = state.dt2_over_mass(s);
-    FreeMotion m{state.displacement(s), state.increment(s), {}, state.force(s),
-                 state.step_size * state.step_size / dt2_over_mass};
-    m.next = m.last + dt2_over_mass * m.force;
-    return m;
+    const Motion::Moving now = state.motion.moving(s);
+    return {now.displacement, now.increment, now.increment + now.dt2_over_mass * now.force, now.force,
+            1 / now.dt2_over_mass};
 }
 
-void add_momentum(UnionSums& sums, Vec3 momentum, Vec3 position) {
+/// Adds M/dt^2 times half the increment: the momentum divided by dt.
+void add_momentum(UnionSums& sums, const FreeMotion& m, Vec3 increment, Vec3 rest) {
+    const Vec3 momentum = 0.5 * m.mass_over_dt2 * increment;
     sums.momentum += momentum;
-    sums.angular_momentum += cross(position, momentum);
+    sums.angular_momentum += cross(rest + m.displacement, momentum);
 }
 
-void add_free(UnionSums& sums, const FreeMotion& m, Vec3 rest, double dt) {
-    sums.kinetic += 0.5 * m.mass / (dt * dt) * dot(m.last, m.next);
+void add_free(UnionSums& sums, const FreeMotion& m, Vec3 rest) {
+    sums.kinetic += 0.5 * m.mass_over_dt2 * dot(m.last, m.next);
     sums.force_work += 0.5 * dot(m.force, m.last);
-    add_momentum(sums, (0.5 * m.mass / dt) * (m.last + m.next), rest + m.displacement);
+    add_momentum(sums, m, m.last + m.next, rest);
 }
 
-void add_to_supports(std::vector<SupportSums>& supports, const HeldUnion& held, const FreeMotion& m, Vec3 force) {
+void add_to_supports(std::vector<SupportSums>& supports, const HeldUnion& held, const FreeMotion& m, Vec3 force,
+                     double mass) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (held.support[axis] < 0) {
             continue;
@@ -83,21 +84,21 @@ void add_to_supports(std::vector<SupportSums>& supports, const HeldUnion& held, 
         const auto i = static_cast<int>(axis);
         support.force[i] += force[i];
         support.work += 0.5 * force[i] * m.last[i];
-        const bool is_new = std::find(held.support.begin(), held.support.begin() + i, held.support[axis]) ==
-                            held.support.begin() + i;
-        support.displacement += (is_new ? m.mass : 0.0) * m.displacement;
-        support.mass += is_new ? m.mass : 0.0;
+        const auto lower = std::span{held.support}.first(axis);
+        const bool is_new = std::ranges::find(lower, held.support[axis]) == lower.end();
+        support.displacement += (is_new ? mass : 0.0) * m.displacement;
+        support.mass += is_new ? mass : 0.0;
     }
 }
 
 /// Adds what the supports change.
 void add_held(const Network& network, const State& state, const HeldUnion& held, UnionSums& sums) {
-    const double dt = state.step_size;
     const FreeMotion m = free_motion(state, held.local_union);
     const Vec3 change = prescribed(network, state, held.local_union, m.next, 0.5) - m.next;
-    sums.kinetic += 0.5 * m.mass / (dt * dt) * dot(m.last, change);
-    add_momentum(sums, (0.5 * m.mass / dt) * change, held.rest + m.displacement);
-    add_to_supports(sums.supports, held, m, (m.mass / (dt * dt)) * change);
+    sums.kinetic += 0.5 * m.mass_over_dt2 * dot(m.last, change);
+    add_momentum(sums, m, change, held.rest);
+    add_to_supports(sums.supports, held, m, m.mass_over_dt2 * change,
+                    m.mass_over_dt2 * state.step_size * state.step_size);
 }
 
 }  // namespace
@@ -107,10 +108,10 @@ UnionSums union_sums(const Network& network, const State& state) {
     sums.supports.resize(network.supports().size());
     const bool alone = owns_all(network);
     RestPositions rest{network};
-    state.unions.for_each_advanced([&](LocalUnion s, LocalMass smallest) {
-        const Vec3 position = rest.at(vertex_of(s), smallest);
-        if (alone || network.owned(entity_of(smallest))) {
-            add_free(sums, free_motion(state, s), position, state.step_size);
+    state.unions.for_each_advanced_union([&](LocalUnion s) {
+        const Vec3 position = rest.at(vertex_of(s));
+        if (alone || network.owned(entity_of(state.unions.smallest_of_advanced(s)))) {
+            add_free(sums, free_motion(state, s), position);
         }
     });
     for (const HeldUnion& held : state.held.all()) {
@@ -118,6 +119,8 @@ UnionSums union_sums(const Network& network, const State& state) {
             add_held(network, state, held, sums);
         }
     }
+    sums.momentum = state.step_size * sums.momentum;
+    sums.angular_momentum = state.step_size * sums.angular_momentum;
     return sums;
 }
 

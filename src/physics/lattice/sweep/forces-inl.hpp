@@ -37,15 +37,16 @@ HWY_INLINE V<Real> owned_of(const SweepView<Real>& v, std::size_t site) {
     return multiplicity_of<Real>(multiplicities_of(v, site), SharedEdges::owned_row);
 }
 
-/// The contribution of an interaction to SweepView::dissipated. rate: dw.d, squared: dw.dw, with the last increment.
+/// Adds an interaction's contribution to SweepView::dissipated: with s = rate - squared/2, the elastic factor k g and
+/// the stiffness K = k r^3/L0^2, it is  multiplicity [rate drag + (K s^2 + k g squared)/2], or
+/// multiplicity s (drag + K s/2) + factor squared/2. rate: dw.d, squared: dw.dw, with the last increment.
 template <class Real>
-CRACKSIM_INLINE V<Real> taken_by(const InteractionConstants<Real>& c, V<Real> rate, V<Real> drag, V<Real> squared,
-                                 const Ratio<Real>& ratio, V<Real> inverse_squared) {
-    const V<Real> half_tension = hn::Mul(broadcast<Real>(c.half_stiffness), ratio.shortfall);
+CRACKSIM_INLINE void add_dissipated(V<Real> multiplicity, V<Real> rate, V<Real> squared, V<Real> drag,
+                                    V<Real> half_stiffness, V<Real> factor, Outcome<Real>& sums) {
     const V<Real> half_change = hn::NegMulAdd(broadcast<Real>(0.5), squared, rate);
-    const V<Real> stiffness = hn::Mul(hn::Mul(broadcast<Real>(c.half_stiffness_rate), ratio.inverse), inverse_squared);
-    const V<Real> across = hn::MulAdd(half_tension, squared, hn::Mul(rate, drag));
-    return hn::MulAdd(hn::Mul(half_change, half_change), stiffness, across);
+    sums.dissipated =
+        hn::MulAdd(hn::Mul(multiplicity, half_change), hn::MulAdd(half_stiffness, half_change, drag), sums.dissipated);
+    sums.turned = hn::MulAdd(factor, squared, sums.turned);
 }
 
 /// Computes the factor of each interaction, which times d is the force on the first corner:
@@ -68,9 +69,9 @@ CRACKSIM_INLINE void find_some_factors(const SweepView<Real>& v, Interactions<Re
         const V<Real> inverse_squared = hn::Mul(inverse, inverse);
         const V<Real> drag = hn::Mul(hn::Mul(broadcast<Real>(c.viscosity_rate), all.rate[i]), inverse_squared);
         all.factor[i] = hn::Mul(multiplicity, hn::MulAdd(broadcast<Real>(c.stiffness), ratio[at].shortfall, drag));
-        const V<Real> taken = taken_by(c, Which == Sums::extrapolated ? all.last_rate[i] : all.rate[i], drag,
-                                       all.last_squared[i], ratio[at], inverse_squared);
-        sums.dissipated = hn::MulAdd(multiplicity, taken, sums.dissipated);
+        add_dissipated<Real>(
+            multiplicity, Which == Sums::extrapolated ? all.last_rate[i] : all.rate[i], all.last_squared[i], drag,
+            hn::Mul(hn::Mul(broadcast<Real>(c.half_stiffness_rate), inverse), inverse_squared), all.factor[i], sums);
         if constexpr (Which != Sums::dissipated) {
             const V<Real> energy = hn::Mul(hn::Mul(multiplicity, broadcast<Real>(c.half_energy)),
                                            squared_stretch(all.quadratic_strain[i], ratio[at]));
@@ -118,7 +119,8 @@ struct RowSums {
 template <Sums Which, class Real>
 HWY_INLINE void add_to_sums(SweepView<Real>& v, const Outcome<Real>& outcome, V<Real> owned, std::size_t site,
                             RowSums<Real>& sums) {
-    sums.dissipated = hn::MulAdd(owned, outcome.dissipated, sums.dissipated);
+    const V<Real> dissipated = hn::MulAdd(broadcast<Real>(0.5), outcome.turned, outcome.dissipated);
+    sums.dissipated = hn::MulAdd(owned, dissipated, sums.dissipated);
     if constexpr (Which != Sums::dissipated) {
         sums.elastic = hn::MulAdd(owned, outcome.elastic, sums.elastic);
     }

@@ -25,6 +25,7 @@ enum class Sums { dissipated, elastic_too, extrapolated };
 template <class Real>
 struct Outcome {
     V<Real> dissipated;
+    V<Real> turned;  ///< sum of factor times dw.dw: half of it belongs to `dissipated`
     V<Real> elastic;
     V<Real> largest;                            ///< the largest magnitude of the quadratic strains so far
     bool any_exceeded;                          ///< false: no edge is stretched beyond its limit
@@ -35,7 +36,7 @@ template <class Real>
 HWY_INLINE Outcome<Real> no_outcome() {
     const D<Real> d;
     const V<Real> zero = hn::Zero(d);
-    return {zero, zero, zero, false, {}};
+    return {zero, zero, zero, zero, false, {}};
 }
 
 /// The interactions of a vector's entities, by number: d = d0 + du; the quadratic strain

@@ -64,7 +64,6 @@ struct InteractionConstants {
     Real stiffness;               ///< k, N/m
     Real viscosity_rate;          ///< z/(dt L0^2), N/m3
     Real half_energy;             ///< k L0^2/2, J
-    Real half_stiffness;          ///< k/2, N/m
     Real half_stiffness_rate;     ///< k/(2 L0^2), N/m3
 };
 
