@@ -162,6 +162,10 @@ public:
     [[nodiscard]] MotionNumbers<Real>& in() {
         return std::get<MotionNumbers<Real>>(numbers_);
     }
+    template <class Real>
+    [[nodiscard]] const MotionNumbers<Real>& in() const {
+        return std::get<MotionNumbers<Real>>(numbers_);
+    }
     [[nodiscard]] std::size_t base_stride() const { return base_stride_; }
     /// Distance from one union to the next in the pool.
     [[nodiscard]] std::size_t pool_stride() const { return pool_stride_; }
