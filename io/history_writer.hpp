@@ -45,8 +45,8 @@ struct HistoryRow {
 /// Writes history.csv line by line: when write() returns, the line is in the file.
 class HistoryWriter {
 public:
-    /// Creates the file with its header line. supports: the names of the supports, whose columns are NAME.force_x and so
-    /// on. Throws FileError on all ranks. The communicator must outlive the writer. Collective.
+    /// Creates the file with its header line. supports: the names of the supports, for columns like NAME.force_x.
+    /// Throws FileError on all ranks. The communicator must outlive the writer. Collective.
     HistoryWriter(const partition::Communicator& comm, std::filesystem::path file,
                   std::span<const std::string> supports);
 

@@ -30,8 +30,8 @@ struct MotionFailure {
 /// The results of a sweep over all local entities. `dissipated` and `elastic` are sums over the interactions of the
 /// owned entities. How dissipation follows from `dissipated` and `kick`: dynamics/energy_book.hpp.
 struct Swept {
-    /// J, sum of  z/dt (dw.n)(de.n) + k [r^3 (dw.d')^2 / L0^2 + (1 - r) dw.dw] / 2  at the state of the forces: w is the
-    /// last increment, e the one that damping uses, d' = d - dw/2 and r = L0/|d|. The second term is half the change of
+    /// J, sum of  z/dt (dw.n)(de.n) + k [r^3 (dw.d')^2 / L0^2 + (1 - r) dw.dw] / 2  at the state of the forces: w is
+    /// the last increment, e the one that damping uses, d' = d - dw/2 and r = L0/|d|. The second term is half the change of
     /// the elastic force over the last increment, times the increment. It is zero in a rotation without strain.
     double dissipated{0};
     double elastic{0};  ///< J; 0 if it was not measured
@@ -55,8 +55,9 @@ public:
     /// Advances every union of this rank by one step, from the forces of the state:
     ///     w <- w + dt^2 F(u, w)/M,  u <- u + w,
     /// and computes the forces at the new state. Held components move as their supports prescribe; their work
-    /// R(n).(w(n) + w(n+1))/2, with the forces R of the supports, is added to state.held. received: the next increments of the received masses, m, in the order of
-    /// Network::received; of each union, only the increment of the first mass is read. state.step becomes n + 1.
+    /// R(n).(w(n) + w(n+1))/2, with the forces R of the supports, is added to state.held. received: the next
+    /// increments of the received masses, m, in the order of Network::received; of each union, only the increment of
+    /// the first mass is read. state.step becomes n + 1.
     virtual Swept advance(State& state, std::span<const Vec3> received, Measure measure) = 0;
     /// Computes the increments that the next advance will give to some touched unions, bit for bit: increment i, m, is
     /// found[3 i], found[3 i + 1], found[3 i + 2].

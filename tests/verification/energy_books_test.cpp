@@ -61,8 +61,12 @@ void expect_second_order(double coarse, double middle, double fine) {
 }
 
 TEST(EnergyBooks, CloseToSecondOrderAtLargeStrains) {
-    const Initial initial{[](Vec3 x) { return Vec3{0.1 * std::sin(x.y), 0.1 * std::cos(x.z), 0.1 * std::sin(x.x)}; },
-                          [](Vec3 x) { return Vec3{0.1 * (x.x - 3), 0.05 * x.x, 0.1 * std::cos(x.y)}; }};
+    const Initial initial{[](Vec3 x) {
+                              return Vec3{0.1 * std::sin(x.y), 0.1 * std::cos(x.z), 0.1 * std::sin(x.x)};
+                          },
+                          [](Vec3 x) {
+                              return Vec3{0.1 * (x.x - 3), 0.05 * x.x, 0.1 * std::cos(x.y)};
+                          }};
     for (const Scheme scheme : schemes) {
         for (const double beta : {0.0, 0.2}) {
             const Network network = damped_block({6, 5, 4}, beta).network();
