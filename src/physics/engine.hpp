@@ -31,8 +31,9 @@ struct MotionFailure {
 /// owned entities. How dissipation follows from `dissipated` and `kick`: dynamics/energy_book.hpp.
 struct Swept {
     /// J, sum of  z/dt (dw.n)(de.n) + k [r^3 (dw.d')^2 / L0^2 + (1 - r) dw.dw] / 2  at the state of the forces: w is
-    /// the last increment, e the one that damping uses, d' = d - dw/2 and r = L0/|d|. The second term is half the change of
-    /// the elastic force over the last increment, times the increment. It is zero in a rotation without strain.
+    /// the last increment, e the one that damping uses, d' = d - dw/2 and r = L0/|d|. The second term is half the
+    /// change of the elastic force over the last increment, times the increment. It is zero in a rotation without
+    /// strain.
     double dissipated{0};
     double elastic{0};  ///< J; 0 if it was not measured
     double kick{0};     ///< J, sum over the owned unions of F(n).(w(n+1) - w(n)), after an advance
