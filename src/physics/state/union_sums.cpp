@@ -121,9 +121,10 @@ struct Group {
 template <class Real>
 Group read_group(const Real* first, std::size_t stride, const GroupSums::Lanes& owned, Vec3 rest, double edge) {
     Group group{};
-    group.owned = owned;
     for (std::size_t lane = 0; lane < Lattice::lanes; ++lane) {
         group.dt2_over_mass[lane] = first[Quantity::dt2_over_mass * stride + lane];
+        // A lone mass is in the pool, also if it is the smallest of its vertex.
+        group.owned[lane] = group.dt2_over_mass[lane] > 0 ? owned[lane] : 0.0;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             group.position[axis][lane] =
                 rest[static_cast<int>(axis)] + first[(Quantity::displacement + axis) * stride + lane];
@@ -135,7 +136,7 @@ Group read_group(const Real* first, std::size_t stride, const GroupSums::Lanes& 
     return group;
 }
 
-/// The sums of add_free, without branches. At places that count nothing, dt^2/M may be 0.
+/// The sums of add_free, without branches.
 void add_group(const Group& group, GroupSums& sums) {
     std::array<GroupSums::Lanes, 3> momentum;
     for (std::size_t lane = 0; lane < Lattice::lanes; ++lane) {
