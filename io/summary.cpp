@@ -63,11 +63,19 @@ Json json(const Summary::Events& e) { return {{"duplets", e.duplets}, {"splits",
 Json json(const Summary::Fragment& f) { return {{"id", f.id.value()}, {"volume_share", f.volume_share}}; }
 
 Json json(const Summary::Energy& e) {
-    return {{"kinetic", e.kinetic},
-            {"elastic", e.elastic},
-            {"dissipated", e.dissipated},
-            {"external", e.external},
-            {"residual", e.residual}};
+    return {{"kinetic", e.kinetic},   {"elastic", e.elastic},   {"dissipated", e.dissipated},
+            {"external", e.external}, {"residual", e.residual}, {"scale", e.scale}};
+}
+
+Json json(Vec3 v) { return {v.x, v.y, v.z}; }
+
+Json json_by_name(const std::vector<Summary::Support>& all) {
+    Json result = Json::object();
+    for (const Summary::Support& support : all) {
+        result[support.name] = {
+            {"force", json(support.force)}, {"displacement", json(support.displacement)}, {"work", support.work}};
+    }
+    return result;
 }
 
 Json json(const Summary::Seconds& s) {
@@ -125,6 +133,9 @@ void add_results(Json& out, const Summary& s) {
     out["largest_fragments"] = json(s.largest_fragments);
     out["crack_area"] = s.crack_area;
     out["energy"] = json(s.energy);
+    out["momentum"] = json(s.momentum);
+    out["angular_momentum"] = json(s.angular_momentum);
+    out["supports"] = json_by_name(s.supports);
 }
 
 void add_costs(Json& out, const Summary& s) {
@@ -160,7 +171,7 @@ std::string summary_text(const Summary& summary) {
 }
 
 std::int64_t summary_bytes(std::int64_t frames) {
-    constexpr std::int64_t without_frames = 2500;
+    constexpr std::int64_t without_frames = 2800;
     constexpr std::int64_t typical_frame = 170;
     return without_frames + frames * typical_frame;
 }

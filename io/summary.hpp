@@ -8,6 +8,7 @@
 
 #include "core/ids.hpp"
 #include "core/problem_counts.hpp"
+#include "core/vec3.hpp"
 #include "io/frame_record.hpp"
 #include "io/provenance.hpp"
 
@@ -40,8 +41,14 @@ struct Summary {
         EntityId id;
         double volume_share;
     };
-    struct Energy {  ///< J
-        double kinetic{0}, elastic{0}, dissipated{0}, external{0}, residual{0};
+    struct Energy {  ///< J; residual = initial + external - (kinetic + elastic + dissipated), scale: the energy put in
+        double kinetic{0}, elastic{0}, dissipated{0}, external{0}, residual{0}, scale{0};
+    };
+    struct Support {
+        std::string name;
+        Vec3 force;         ///< on the block, N
+        Vec3 displacement;  ///< mean of the masses that it holds, m
+        double work{0};     ///< on the block, J
     };
     struct Seconds {
         double total{0}, setup{0}, force{0}, update{0}, sense{0}, exchange{0}, topology{0}, geometry{0}, output{0};
@@ -77,6 +84,9 @@ struct Summary {
     std::vector<Fragment> largest_fragments;
     double crack_area{0};  ///< m2
     Energy energy;
+    Vec3 momentum;          ///< kg m/s
+    Vec3 angular_momentum;  ///< about the origin, kg m2/s
+    std::vector<Support> supports;
     Seconds seconds;
     double steps_per_second{0}, times_real_time{0};
     Memory memory;

@@ -50,6 +50,7 @@ std::int64_t Communicator::sum(std::int64_t value) const { return reduce(comm_, 
 std::uint64_t Communicator::sum(std::uint64_t value) const { return reduce(comm_, value, MPI_UINT64_T, MPI_SUM); }
 double Communicator::sum(double value) const { return reduce(comm_, value, MPI_DOUBLE, MPI_SUM); }
 void Communicator::sum(std::span<std::int64_t> values) const { reduce(comm_, values, MPI_INT64_T, MPI_SUM); }
+void Communicator::sum(std::span<double> values) const { reduce(comm_, values, MPI_DOUBLE, MPI_SUM); }
 std::int64_t Communicator::min(std::int64_t value) const { return reduce(comm_, value, MPI_INT64_T, MPI_MIN); }
 std::int64_t Communicator::max(std::int64_t value) const { return reduce(comm_, value, MPI_INT64_T, MPI_MAX); }
 double Communicator::min(double value) const { return reduce(comm_, value, MPI_DOUBLE, MPI_MIN); }

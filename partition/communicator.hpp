@@ -30,6 +30,7 @@ public:
     [[nodiscard]] double sum(double value) const;  ///< for reports only: its bits depend on the number of ranks
     /// Sums element by element, in place.
     void sum(std::span<std::int64_t> values) const;
+    void sum(std::span<double> values) const;  ///< for reports only
     [[nodiscard]] std::int64_t min(std::int64_t value) const;
     [[nodiscard]] std::int64_t max(std::int64_t value) const;
     [[nodiscard]] double min(double value) const;

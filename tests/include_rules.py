@@ -33,15 +33,16 @@ INSIDE = {
     "physics/interaction": [],
     "physics/problem": ["physics/interaction"],
     "physics/state": ["physics/events", "physics/problem"],
-    "physics/engine": ["physics/problem", "physics/state"],
+    "physics/measure": [],
+    "physics/engine": ["physics/problem", "physics/state", "physics/measure"],
     "physics/events": [],
     "physics/evolution": [],
     "physics/standard_law": ["physics/problem"],
     "physics/simd_target": [],
     "physics/start": ["physics/problem", "physics/state", "physics/engine"],
     "physics/fracture": ["physics/problem", "physics/state", "physics/engine", "physics/events"],
-    "physics/lattice": ["physics/problem", "physics/state", "physics/engine", "physics/fracture"],
-    "physics/standard": ["physics/engine", "physics/fracture", "physics/lattice"],
+    "physics/lattice": ["physics/problem", "physics/state", "physics/measure", "physics/engine", "physics/fracture"],
+    "physics/standard": ["physics/measure", "physics/engine", "physics/fracture", "physics/lattice"],
 }
 
 TEST_FOLDERS = ["fuzz", "support", "unit"]  # folders whose headers tests share

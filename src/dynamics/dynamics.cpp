@@ -44,6 +44,15 @@ std::unique_ptr<physics::Engine> make_engine(const physics::Network& network, co
     return std::make_unique<physics::LatticeEngine>(network, state);
 }
 
+bool has_dashpots(const physics::EntityModel& model) {
+    if (model.is_standard()) {
+        return model.standard().solid.damping_time > 0;
+    }
+    return std::ranges::any_of(model.paper().interaction,
+                               [](const physics::KelvinVoigt& i) { return i.viscosity > 0; });
+}
+}
+
 /// Closed forms where there is no notch. Collective.
 ProblemCounts count(const partition::Communicator& comm, const scene::Scene& scene, const physics::Network& network,
                     const physics::State& state) {
@@ -59,7 +68,7 @@ ProblemCounts count(const partition::Communicator& comm, const scene::Scene& sce
 }  // namespace
 
 Dynamics::Dynamics(const partition::Communicator& comm, const scene::Scene& scene, double step_size,
-                   Stopwatch& stopwatch)
+                   Stopwatch& stopwatch, std::int64_t book_period)
     : comm_{&comm},
       stopwatch_{&stopwatch},
       decomposition_{partition::decompose(comm, scene.block, scene::partitioner(scene))},
@@ -68,15 +77,17 @@ Dynamics::Dynamics(const partition::Communicator& comm, const scene::Scene& scen
       engine_{make_engine(network_, state_)},
       exchange_{comm, network_, decomposition_, state_},
       prefilter_{scene.sensors.prefilter ? physics::Prefilter::on : physics::Prefilter::off},
-      counts_{count(comm, scene, network_, state_)} {
+      counts_{count(comm, scene, network_, state_)},
+      energies_{state_.scheme, has_dashpots(network_.model()) ? book_period : 0} {
     exchange_.share_parts(network_, decomposition_, state_, *engine_);
     physics::start(network_, scene::initial_fields(scene), state_, *engine_);
     exchange_.share_increments(network_, decomposition_, state_);
 }
 
 void Dynamics::compute_forces() {
-    const auto measure = physics::Measure::elastic_energy;
-    energies_.begin(stopwatch_->time(Phase::force, [&] { return engine_->forces(state_, measure); }), measure);
+    const physics::Swept swept =
+        stopwatch_->time(Phase::force, [&] { return engine_->forces(state_, physics::Measure::elastic_energy); });
+    energies_.begin(swept, engine_->sums(state_));
 }
 
 void Dynamics::break_duplets() {
@@ -103,12 +114,25 @@ void Dynamics::break_duplets() {
     });
 }
 
-void Dynamics::advance(physics::Measure measure) {
+void Dynamics::advance(physics::Measure wanted) {
+    const physics::Measure measure = energies_.is_sample(state_.step + 1) ? physics::Measure::all : wanted;
     const std::span<const Vec3> received = received_increments();
     const physics::Swept swept =
         stopwatch_->time(Phase::force, [&] { return engine_->advance(state_, received, measure); });
     energies_.advance(swept, measure);
     failure_ = failure_ ? failure_ : swept.failure;
+}
+
+Balance Dynamics::balance() const {
+    const physics::UnionSums sums = engine_->sums(state_);
+    Balance balance{sums.kinetic,  energies_.elastic(),   energies_.dissipated(),
+                    sums.momentum, sums.angular_momentum, {}};
+    for (std::size_t i = 0; i < sums.supports.size(); ++i) {
+        const physics::SupportSums& support = sums.supports[i];
+        balance.supports.push_back(
+            {support.force, support.displacement, support.mass, energies_.external(i, state_.held, sums)});
+    }
+    return balance;
 }
 
 std::span<const Vec3> Dynamics::received_increments() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/problem_counts.hpp"
+#include "dynamics/balance.hpp"
 #include "dynamics/energy_book.hpp"
 #include "dynamics/motion_exchange.hpp"
 #include "dynamics/stopwatch.hpp"
@@ -44,8 +45,9 @@ private:
 /// A step is  break_duplets(); ... ; advance();  between the two, everything is at state n.
 class Dynamics {
 public:
-    /// Collective. Throws InputError on all ranks. comm and stopwatch must outlive this.
-    Dynamics(const partition::Communicator& comm, const scene::Scene& scene, double step_size, Stopwatch& stopwatch);
+    /// Collective. Throws InputError on all ranks. comm and stopwatch must outlive this. book_period: see EnergyBook.
+    Dynamics(const partition::Communicator& comm, const scene::Scene& scene, double step_size, Stopwatch& stopwatch,
+             std::int64_t book_period = EnergyBook::sampled);
 
     Dynamics(const Dynamics&) = delete;
     Dynamics& operator=(const Dynamics&) = delete;
@@ -56,7 +58,7 @@ public:
     void break_duplets();
     /// Advances every union by one explicit step and computes the forces at the new state. Received unions take their
     /// increments from the owners of their entities. Collective.
-    void advance(physics::Measure measure);
+    void advance(physics::Measure wanted);
 
     [[nodiscard]] const partition::Decomposition& decomposition() const { return decomposition_; }
     [[nodiscard]] const physics::Network& network() const { return network_; }
@@ -64,7 +66,9 @@ public:
     [[nodiscard]] const MotionExchange& exchange() const { return exchange_; }
     /// Over all ranks, at the start.
     [[nodiscard]] const ProblemCounts& counts() const { return counts_; }
-    [[nodiscard]] const EnergyBook& energies() const { return energies_; }
+    /// Energies, momenta and supports: this rank's share, whose sum over the ranks is the whole. The elastic energy is
+    /// that of the last step that measured it.
+    [[nodiscard]] Balance balance() const;
     /// The first failure of a motion on this rank, if there was one.
     [[nodiscard]] const std::optional<physics::MotionFailure>& failure() const { return failure_; }
     /// Bytes of network, state and engine.

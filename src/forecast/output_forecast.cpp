@@ -99,7 +99,7 @@ std::int64_t series_bytes(const SeriesForecast& series, std::int64_t later, End 
 std::int64_t all_bytes(const scene::Scene& scene, const OutputForecast& forecast, End end) {
     const std::int64_t later = forecast.frames - 1;
     std::int64_t bytes = small_files + static_cast<std::int64_t>(scene::resolved(scene).size()) +
-                         io::history_bytes(forecast.history_rows);
+                         io::history_bytes(forecast.history_rows, scene::support_names(scene));
     std::int64_t frames = 0;
     for (const SeriesForecast& one : forecast.series) {
         bytes += series_bytes(one, later, end);

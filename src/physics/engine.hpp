@@ -11,14 +11,14 @@
 #include "core/ids.hpp"
 #include "core/symmetric_tensor.hpp"
 #include "core/vec3.hpp"
+#include "physics/measure.hpp"
 #include "physics/problem/duplets.hpp"
 #include "physics/problem/lattice.hpp"
 #include "physics/state/listed_unions.hpp"
 #include "physics/state/state.hpp"
+#include "physics/state/union_sums.hpp"
 
 namespace cracksim::physics {
-
-enum class Measure : std::uint8_t { nothing, elastic_energy };
 
 /// A union of this rank whose increment is not finite or longer than 100 edges: of several, the one with the smallest
 /// mass.
@@ -28,10 +28,15 @@ struct MotionFailure {
     bool finite;  ///< false: the increment is not a number or infinite
 };
 
-/// The results of a sweep over all local entities. Energies are sums over the owned entities.
+/// The results of a sweep over all local entities: sums over the owned ones.
 struct Swept {
     double dissipated{0};  ///< J, z (v.n)^2 dt at the state of the forces
     double elastic{0};     ///< J; 0 if it was not measured
+    /// J, what the dashpots take from step n to n+1, after an advance with Measure::all: -(D(n) + D(n+1)).w(n+1)/2 with
+    /// their forces D on the unions. None if the engine has nothing better than `dissipated`. No sweep knows D(n) and
+    /// w(n+1) together. With the forces F = D + f of dashpots and springs it is
+    ///     [f(n).w(n+1) - D(n+1).w(n+1)]/2, a sum over entities, - F(n).w(n+1)/2, a sum over owned unions.
+    std::optional<double> over_step;
     std::optional<MotionFailure> failure;
 };
 
@@ -50,9 +55,10 @@ public:
     virtual Swept forces(State& state, Measure measure) = 0;
     /// Advances every union of this rank by one step, from the forces of the state:
     ///     w <- w + dt^2 F(u, w)/M,  u <- u + w,
-    /// and computes the forces at the new state. Held components move as their supports prescribe; the work of the
-    /// supports is added to state.held.work. received: the next increments of the received masses, m, in the order of
-    /// Network::received; of each union, only the increment of the first mass is read. state.step becomes n + 1.
+    /// and computes the forces at the new state. Held components move as their supports prescribe; their work
+    /// R(n).(w(n) + w(n+1))/2, with the forces R of the supports, is added to state.held. received: the next
+    /// increments of the received masses, m, in the order of Network::received; of each union, only the increment of
+    /// the first mass is read. state.step becomes n + 1.
     virtual Swept advance(State& state, std::span<const Vec3> received, Measure measure) = 0;
     /// Computes the increments that the next advance will give to some touched unions, bit for bit: increment i, m, is
     /// found[3 i], found[3 i + 1], found[3 i + 2].
@@ -73,6 +79,8 @@ public:
     /// The elastic stress of an entity in its rest frame, over Young's modulus. Its bits depend only on the network and
     /// the displacements of the entity's corners.
     [[nodiscard]] virtual SymmetricTensor stress(const State& state, LocalEntity e) const = 0;
+    /// Sums over the owned unions. The state must have the forces of the current step; splits do not change the sums.
+    [[nodiscard]] virtual UnionSums sums(const State& state) const = 0;
     [[nodiscard]] virtual std::size_t memory_bytes() const = 0;
 
 protected:

@@ -13,14 +13,22 @@ void for_each_union(const Network& network, const Unions& unions, auto&& action)
     unions.for_each_advanced(action);
 }
 
+/// dt v(0), m. With ab2, damping has second order only if the first forces know the velocities of the supports.
+Vec3 first_increment(const Network& network, const Initial& initial, const State& state, LocalUnion s, Vec3 rest) {
+    const Vec3 free = state.step_size * initial.velocity(rest);
+    if (state.scheme != Scheme::ab2 || network.supports().empty()) {
+        return free;
+    }
+    return prescribed(network, state.step_size, held_at(network, s, rest), free, 0);
+}
+
 }  // namespace
 
 void start(const Network& network, const Initial& initial, State& state, Engine& engine) {
-    const double dt = state.step_size;
     for_each_union(network, state.unions, [&](LocalUnion s, LocalMass m) {
         const Vec3 rest = network.rest_position(m);
         state.set_displacement(s, initial.displacement(rest));
-        state.set_velocity_increment(s, dt * initial.velocity(rest));
+        state.set_velocity_increment(s, first_increment(network, initial, state, s, rest));
     });
     engine.forces(state, Measure::nothing);
     for (const LocalUnion s : state.unions.advanced()) {

@@ -110,4 +110,12 @@ struct Scene {
     [[nodiscard]] bool has_standard_entities() const { return material && material->model == MaterialModel::standard; }
 };
 
+[[nodiscard]] inline std::vector<std::string> support_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const SupportSettings& support : scene.supports) {
+        names.push_back(support.name);
+    }
+    return names;
+}
+
 }  // namespace cracksim::scene

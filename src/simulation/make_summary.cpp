@@ -71,6 +71,15 @@ std::vector<io::Summary::Fragment> largest_fragments(const Simulation& simulatio
     return shares;
 }
 
+std::vector<io::Summary::Support> supports(const Simulation& simulation) {
+    std::vector<io::Summary::Support> all;
+    for (std::size_t i = 0; i < simulation.books().balance().supports.size(); ++i) {
+        const dynamics::Balance::Support& support = simulation.books().balance().supports[i];
+        all.push_back({simulation.scene().supports[i].name, support.force, support.displacement(), support.work});
+    }
+    return all;
+}
+
 }  // namespace
 
 io::Summary summarize(const Simulation& simulation, const forecast::Forecast& forecast,
@@ -79,7 +88,7 @@ io::Summary summarize(const Simulation& simulation, const forecast::Forecast& fo
     const dynamics::Dynamics& dynamics = simulation.dynamics();
     const scene::CertifiedStep& certified = simulation.certified();
     const Totals totals = simulation.totals();
-    const Energies& energies = simulation.energies();
+    const Energies& energies = simulation.books().energies();
     io::Summary summary;
     summary.provenance = provenance(simulation);
     summary.counts = simulation.dynamics().counts();
@@ -97,8 +106,11 @@ io::Summary summarize(const Simulation& simulation, const forecast::Forecast& fo
     summary.components = simulation.coat().component_count();
     summary.largest_fragments = largest_fragments(simulation);
     summary.crack_area = simulation.coat().crack_area();
-    summary.energy = {energies.kinetic, energies.elastic, energies.dissipated, energies.external,
-                      energies.residual(simulation.start_energies())};
+    summary.energy = {energies.kinetic,  energies.elastic,  energies.dissipated,
+                      energies.external, energies.residual, energies.scale};
+    summary.momentum = simulation.books().balance().momentum;
+    summary.angular_momentum = simulation.books().balance().angular_momentum;
+    summary.supports = supports(simulation);
     summary.seconds = seconds(simulation);
     const double running = summary.seconds.total - summary.seconds.setup;
     summary.steps_per_second = static_cast<double>(summary.time.steps) / running;

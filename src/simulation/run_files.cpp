@@ -32,7 +32,7 @@ io::SplitParts global_parts(const physics::Network& network, const physics::Spli
 
 RunFiles::RunFiles(const Simulation& simulation, const io::RunDirectory& directory, Progress& progress)
     : events_{simulation.comm(), directory.file("events.hdf"), simulation.certified().step, &worker_},
-      history_{simulation.comm(), directory.file("history.csv")},
+      history_{simulation.comm(), directory.file("history.csv"), scene::support_names(simulation.scene())},
       progress_{&progress},
       comm_{&simulation.comm()} {
     const auto add = [&](bool wanted, Picture picture, const char* name) {
@@ -109,11 +109,17 @@ void RunFiles::write_together(const Simulation& simulation, const Series& series
 void RunFiles::history(const Simulation& simulation) {
     const physics::State& state = simulation.dynamics().state();
     const Totals totals = simulation.totals();
-    const Energies& energies = simulation.energies();
+    const Energies& energies = simulation.books().energies();
+    const dynamics::Balance& balance = simulation.books().balance();
+    std::vector<io::HistoryRow::Support> supports;
+    for (const dynamics::Balance::Support& support : balance.supports) {
+        supports.push_back({support.force, support.displacement(), support.work});
+    }
     simulation.stopwatch().time(dynamics::Phase::output, [&] {
         history_.write({state.step, state.time(), energies.kinetic, energies.elastic, energies.dissipated,
                         energies.external, totals.inactive_duplets, totals.unions, simulation.coat().fragment_count(),
-                        simulation.coat().component_count(), simulation.coat().crack_area()});
+                        simulation.coat().component_count(), simulation.coat().crack_area(), energies.residual,
+                        energies.scale, balance.momentum, balance.angular_momentum, supports});
     });
 }
 

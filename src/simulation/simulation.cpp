@@ -5,7 +5,6 @@
 
 #include "core/errors.hpp"
 #include "core/text.hpp"
-#include "physics/state/kinetic_energy.hpp"
 
 namespace cracksim::simulation {
 
@@ -62,7 +61,7 @@ void Simulation::run(Observer& observer) {
         }
         dynamics_.break_duplets();
         if (measured) {
-            measure();
+            books_.record(dynamics::sum(*comm_, dynamics_.balance()));
         }
         step_actions(observer, step == 0 || step == certified_.steps);
         if (step == certified_.steps) {
@@ -108,16 +107,6 @@ void Simulation::bring_coat_up_to_date(Observer& observer) {
 void Simulation::audit_coat() const {
     if (const auto fault = coat_.find_fault(dynamics_.state().unions, dynamics_.evolution())) {
         throw SharedError{"audit at step " + std::to_string(dynamics_.state().step) + ": " + *fault};
-    }
-}
-
-void Simulation::measure() {
-    const physics::State& state = dynamics_.state();
-    energies_ = {comm_->sum(physics::kinetic_energy(dynamics_.network(), state)),
-                 comm_->sum(dynamics_.energies().elastic()), comm_->sum(dynamics_.energies().dissipated()),
-                 comm_->sum(state.held.work)};
-    if (state.step == 0) {
-        start_energies_ = energies_;
     }
 }
 

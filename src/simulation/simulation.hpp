@@ -13,23 +13,10 @@
 #include "scene/certified_step.hpp"
 #include "scene/scene.hpp"
 #include "scene/schedule.hpp"
+#include "simulation/books.hpp"
 #include "surface/coat.hpp"
 
 namespace cracksim::simulation {
-
-/// Energies of the block over all ranks, J.
-struct Energies {
-    double kinetic{0};
-    double elastic{0};
-    double dissipated{0};
-    double external{0};
-
-    /// The error of the energy balance since the start: the change of kinetic and elastic energy plus the dissipated
-    /// energy minus the external work.
-    [[nodiscard]] double residual(const Energies& start) const {
-        return (kinetic + elastic + dissipated - external) - (start.kinetic + start.elastic);
-    }
-};
 
 /// Sums over all ranks, for history and progress.
 struct Totals {
@@ -77,16 +64,14 @@ public:
     [[nodiscard]] const dynamics::Dynamics& dynamics() const { return dynamics_; }
     [[nodiscard]] const surface::Coat& coat() const { return coat_; }
     [[nodiscard]] dynamics::Stopwatch& stopwatch() const { return *stopwatch_; }
-    [[nodiscard]] const Energies& start_energies() const { return start_energies_; }
-    /// Energies at the last step at which they were measured: the first, the last or one with due history.
-    [[nodiscard]] const Energies& energies() const { return energies_; }
+    /// At the last step that was measured: the first, the last or one with due history.
+    [[nodiscard]] const Books& books() const { return books_; }
     /// Collective.
     [[nodiscard]] Totals totals() const;
 
 private:
     [[nodiscard]] bool is_measured(std::int64_t step) const;
     void step_actions(Observer& observer, bool forced);
-    void measure();
     void check_motion(Observer& observer);
     void modify_coat(Observer& observer);
     void bring_coat_up_to_date(Observer& observer);
@@ -102,8 +87,7 @@ private:
     scene::Schedule coat_schedule_;
     scene::Schedule frame_schedule_;
     scene::Schedule history_schedule_;
-    Energies start_energies_;
-    Energies energies_;
+    Books books_;
 };
 
 }  // namespace cracksim::simulation

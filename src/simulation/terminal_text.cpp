@@ -1,6 +1,7 @@
 #include "simulation/terminal_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/text.hpp"
 #include "physics/simd_target.hpp"
@@ -105,6 +106,10 @@ std::vector<std::string> closing_lines(const io::Summary& s, const std::string& 
         largest += (i == 0 ? "" : ", ") + rounded(100 * s.largest_fragments[i].volume_share) + " %";
     }
     lines.push_back("largest fragments by volume: " + largest);
+    if (s.energy.scale > 0) {
+        lines.push_back("energy books close to " + rounded(100 * std::abs(s.energy.residual) / s.energy.scale, 2) +
+                        " % of the energy put in, " + rounded(s.energy.scale) + " J");
+    }
     lines.push_back("results in " + directory + "; look at " + directory + "/surface.xdmf in ParaView");
     return lines;
 }

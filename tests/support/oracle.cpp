@@ -70,12 +70,13 @@ public:
 
 private:
     /// w(0) = dt v - dt^2 a/2, w(-1) = dt v - 3 dt^2 a/2. The masses of a union rest at one place, so their velocities
-    /// are equal.
+    /// are equal. With ab2, v is the velocity of the supports where they hold.
     void start() {
         const double dt = scene_.step;
         std::vector<Vector> velocity;
-        for (const Vector& at : rest_) {
-            velocity.push_back(evaluate(scene_.velocity, at));
+        for (std::size_t m = 0; m < u_.size(); ++m) {
+            const Vector free = evaluate(scene_.velocity, rest_[m]);
+            velocity.push_back(scene_.scheme == Scheme::ab2 ? plus({}, 1 / dt, hold(m, plus({}, dt, free), 0)) : free);
         }
         const std::vector<Vector> acceleration = accelerations(velocity);
         for (std::size_t m = 0; m < u_.size(); ++m) {

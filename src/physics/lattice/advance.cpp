@@ -60,8 +60,14 @@ constexpr std::array<unsigned, Lattice::sides> layers_by_side = [] {
 
 }  // namespace
 
-Advancer::Advancer(const Network& network, State& state, const RowCaches& caches, std::span<const Vec3> received)
-    : network_{&network}, state_{&state}, caches_{&caches}, received_{received}, longest_{longest_increment(network)} {
+Advancer::Advancer(const Network& network, State& state, const RowCaches& caches, std::span<const Vec3> received,
+                   Measure measure)
+    : network_{&network},
+      state_{&state},
+      caches_{&caches},
+      received_{received},
+      longest_{longest_increment(network)},
+      sums_work_{measure == Measure::all} {
     CRACKSIM_EXPECT(received.size() == network.received().size());
 }
 
@@ -118,9 +124,12 @@ void Advancer::advance_in(std::size_t row, unsigned met) {
                            motion.next_pooled(),
                            state_->scheme == Scheme::ab2,
                            longest_,
+                           sums_work_,
+                           force_work_,
                            failed_};
     advance_layers(view);
     failed_ = view.failed;
+    force_work_ = view.force_work;
 }
 
 std::array<PoolPlace, Lattice::sides> Advancer::find_pooled(std::size_t row, unsigned met) const {
@@ -133,11 +142,11 @@ std::array<PoolPlace, Lattice::sides> Advancer::find_pooled(std::size_t row, uns
     return found;
 }
 
-/// Calls action(union) for the held unions of some layers.
+/// Calls action(held union) for those of some layers.
 void Advancer::for_each_held(std::size_t row, unsigned met, auto&& action) {
     for (const std::size_t i : caches_->held_in_row[row]) {
-        const LocalUnion held = state_->held.all()[i].local_union;
-        if ((met & bit_of(layer_of(held))) != 0) {
+        const HeldUnion& held = state_->held.all()[i];
+        if ((met & bit_of(layer_of(held.local_union))) != 0) {
             action(held);
         }
     }
@@ -151,12 +160,27 @@ void Advancer::for_each_received(std::size_t row, unsigned met, auto&& action) {
     }
 }
 
+/// The sum of F.w is over the unions that this rank advances. This takes out those that it does not own.
+void Advancer::leave_out_foreign(std::size_t row, unsigned met) {
+    for (const LocalUnion s : caches_->foreign.in_row(row)) {
+        if ((met & bit_of(layer_of(s))) != 0) {
+            const Vec3 force = state_->force(s);
+            force_work_ -= dot(force, state_->increment(s) + state_->dt2_over_mass(s) * force);
+        }
+    }
+}
+
 void Advancer::remember(std::size_t row, unsigned met) {
+    if (sums_work_) {
+        leave_out_foreign(row, met);
+    }
     before_.clear();
-    const auto keep = [&](LocalUnion s) { before_.push_back({s, state_->displacement(s), state_->increment(s)}); };
-    for_each_held(row, met, keep);
+    const auto keep = [&](LocalUnion s, const HeldUnion* held) {
+        before_.push_back({s, state_->displacement(s), state_->increment(s), held});
+    };
+    for_each_held(row, met, [&](const HeldUnion& held) { keep(held.local_union, &held); });
     held_count_ = before_.size();
-    for_each_received(row, met, [&](LocalUnion id, Vec3) { keep(id); });
+    for_each_received(row, met, [&](LocalUnion id, Vec3) { keep(id, nullptr); });
 }
 
 void Advancer::correct(std::size_t row, unsigned met) {
@@ -168,16 +192,19 @@ void Advancer::correct(std::size_t row, unsigned met) {
     for_each_received(row, met, [&](LocalUnion, Vec3 increment) { correct_received(*before++, increment); });
 }
 
-/// Replaces the held components by the prescribed ones and adds the work of the support's force on the union.
+/// Replaces the held components by the prescribed ones and adds the work of the support's force on the union, and what the
+/// support changes in F.w.
 void Advancer::correct_held(const Before& before) {
+    const double time = (static_cast<double>(state_->step) + 0.5) * state_->step_size;
     const Vec3 free = state_->increment(before.local_union);
-    const Vec3 w = state_->motion.rounded(prescribed(*network_, *state_, before.local_union, free, 0.5));
+    const Vec3 w = state_->motion.rounded(prescribed(*network_, state_->step_size, *before.held, free, time));
     state_->set_increment(before.local_union, w);
     state_->set_displacement(before.local_union, before.displacement + w);
     extrapolate(*state_, before.local_union, w, before.increment);
     if (network_->owned(entity_of(state_->unions.smallest_mass(before.local_union)))) {
-        const Vec3 support_force = (1.0 / state_->dt2_over_mass(before.local_union)) * (w - free);
-        state_->held.work += 0.5 * dot(support_force, w + before.increment);
+        const double mass_over_dt2 = 1.0 / state_->dt2_over_mass(before.local_union);
+        state_->held.add_work(*before.held, mass_over_dt2 * (w - free), 0.5 * (w + before.increment));
+        force_work_ += mass_over_dt2 * dot(free - before.increment, w - free);
     }
 }
 

@@ -19,13 +19,16 @@ namespace cracksim::physics {
 /// not local or the layer is the base layer. So advance and forces load the numbers into the caches only once.
 class Advancer {
 public:
-    /// Keeps references to the arguments. Serves one step. received: see Engine::advance.
-    Advancer(const Network& network, State& state, const RowCaches& caches, std::span<const Vec3> received);
+    /// Keeps references to the arguments. Serves one step. received, measure: see Engine::advance.
+    Advancer(const Network& network, State& state, const RowCaches& caches, std::span<const Vec3> received,
+             Measure measure);
 
     /// Advances the layers that a row of entities meets first.
     void advance_before(std::size_t cell_row);
     /// Ends the step. Must be called after the last row.
     [[nodiscard]] std::optional<MotionFailure> end();
+    /// J, sum over the owned unions of F(n).w(n+1), with the forces F of the entities; only with Measure::all.
+    [[nodiscard]] double force_work() const { return force_work_; }
 
 private:
     /// The motion of a held or received union before a step. The motion is corrected after the step of its row.
@@ -33,6 +36,7 @@ private:
         LocalUnion local_union;
         Vec3 displacement;
         Vec3 increment;
+        const HeldUnion* held;  ///< null if it is not held
     };
 
     [[nodiscard]] unsigned layers_in_pool(std::size_t row, std::size_t side) const;
@@ -44,6 +48,7 @@ private:
     void for_each_held(std::size_t row, unsigned met, auto&& action);
     void for_each_received(std::size_t row, unsigned met, auto&& action);
     void remember(std::size_t row, unsigned met);
+    void leave_out_foreign(std::size_t row, unsigned met);
     void correct(std::size_t row, unsigned met);
     void correct_held(const Before& before);
     void correct_received(const Before& before, Vec3 increment);
@@ -53,6 +58,8 @@ private:
     const RowCaches* caches_;
     std::span<const Vec3> received_;
     double longest_;
+    bool sums_work_;
+    double force_work_{0};
     bool failed_{false};
     std::vector<Before> before_;
     std::size_t held_count_{0};  ///< number of held unions; they come first in before_
@@ -66,6 +73,9 @@ private:
         sweep.sweep_row(row);
     }
     Swept found = sweep.found();
+    if (found.over_step) {
+        *found.over_step -= 0.5 * advancer.force_work();
+    }
     found.failure = advancer.end();
     ++state.step;
     return found;

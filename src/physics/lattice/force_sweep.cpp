@@ -19,7 +19,8 @@ InteractionConstants<Real> constants(const PaperEntity& entity, std::size_t kind
     const double squared = entity.rest_length[i] * entity.rest_length[i];
     return {real(1 / squared), real(entity.interaction[i].stiffness),
             real(entity.interaction[i].viscosity / (dt * squared)),
-            real(0.5 * entity.interaction[i].stiffness * squared)};
+            real(0.5 * entity.interaction[i].stiffness * squared),
+            real(0.5 * entity.interaction[i].stiffness / squared)};
 }
 
 template <class Real>
@@ -69,12 +70,15 @@ ForceSweep::ForceSweep(const Network& network, State& state, LatticeCaches& cach
 
 void ForceSweep::sweep_row(std::size_t row) {
     const RowView row_view = view_of(lattice_->cell_rows()[row]);
-    const bool measured = measure_ == Measure::elastic_energy;
-    std::visit([&](auto& view) { physics::sweep_row(view, row_view, measured); }, view_);
+    std::visit([&](auto& view) { physics::sweep_row(view, row_view, measure_); }, view_);
 }
 
 Swept ForceSweep::found() const {
-    return std::visit([](const auto& view) { return Swept{view.dissipated, view.elastic, std::nullopt}; }, view_);
+    const auto found = [&](const auto& view) {
+        const bool over_step = measure_ == Measure::all;
+        return Swept{view.dissipated, view.elastic, over_step ? std::optional{view.over_step} : std::nullopt, {}};
+    };
+    return std::visit(found, view_);
 }
 
 void find_corner_forces(const Network& network, const State& state, const LatticeCaches& caches,

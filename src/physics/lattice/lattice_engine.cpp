@@ -6,6 +6,7 @@
 #include "physics/lattice/force_sweep.hpp"
 #include "physics/lattice/next_increments.hpp"
 #include "physics/lattice/sensing_limits.hpp"
+#include "physics/lattice/sum_unions.hpp"
 #include "physics/problem/interaction_stress.hpp"
 
 namespace cracksim::physics {
@@ -25,7 +26,7 @@ Swept LatticeEngine::forces(State& state, Measure measure) {
 }
 
 Swept LatticeEngine::advance(State& state, std::span<const Vec3> received, Measure measure) {
-    Advancer advancer{*network_, state, caches_.rows, received};
+    Advancer advancer{*network_, state, caches_.rows, received, measure};
     ForceSweep sweep{*network_, state, caches_, measure};
     return advance_and_sweep(advancer, sweep, state);
 }
@@ -66,5 +67,7 @@ SymmetricTensor LatticeEngine::stress(const State& state, LocalEntity e) const {
 std::size_t LatticeEngine::memory_bytes() const {
     return caches_.memory_bytes() + stretched_.memory_bytes() + loaded_.memory_bytes();
 }
+
+UnionSums LatticeEngine::sums(const State& state) const { return sum_unions(*network_, state, caches_.rows.foreign); }
 
 }  // namespace cracksim::physics

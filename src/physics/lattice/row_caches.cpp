@@ -3,7 +3,10 @@
 namespace cracksim::physics {
 
 RowCaches::RowCaches(const Network& network, const State& state)
-    : pooled{state.lattice()}, held_in_row(state.lattice().vertex_rows().size()), received{network, state.unions} {
+    : pooled{state.lattice()},
+      held_in_row(state.lattice().vertex_rows().size()),
+      received{network, state.unions},
+      foreign{network, state.unions} {
     pooled.find(state.unions, state.motion);
     add_held(state);
 }
@@ -19,6 +22,7 @@ void RowCaches::update(const Network& network, State& state, std::span<const Ver
     if (!network.received().empty()) {
         received.update(network, state.unions, reparted);
     }
+    foreign.update(network, state.unions, reparted);
 }
 
 // Held unions are never removed, and the parts of a held union stay in its row.
@@ -30,7 +34,8 @@ void RowCaches::add_held(const State& state) {
 }
 
 std::size_t RowCaches::memory_bytes() const {
-    return pooled.memory_bytes() + held_in_row.size() * sizeof(std::vector<std::size_t>) + received.memory_bytes();
+    return pooled.memory_bytes() + held_in_row.size() * sizeof(std::vector<std::size_t>) + received.memory_bytes() +
+           foreign.memory_bytes();
 }
 
 }  // namespace cracksim::physics

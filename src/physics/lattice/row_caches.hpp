@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/lattice/foreign_unions.hpp"
 #include "physics/lattice/pooled_corners.hpp"
 #include "physics/lattice/received_unions.hpp"
 #include "physics/problem/network.hpp"
@@ -15,7 +16,7 @@ namespace cracksim::physics {
 struct RowCaches {
     RowCaches(const Network& network, const State& state);
 
-    /// Updates pooled corners, held unions and received unions at the vertices where parts of masses changed; each
+    /// Updates pooled corners, held, received and foreign unions at the vertices where parts of masses changed; each
     /// vertex must occur once. May reorder the motion's pool.
     void update(const Network& network, State& state, std::span<const VertexSite> reparted);
     [[nodiscard]] std::size_t memory_bytes() const;
@@ -23,6 +24,7 @@ struct RowCaches {
     PooledHalves pooled;
     std::vector<std::vector<std::size_t>> held_in_row;  ///< by vertex row: indices into HeldUnions::all
     ReceivedUnions received;
+    ForeignUnions foreign;
 
 private:
     void add_held(const State& state);

@@ -7,6 +7,7 @@
 #include "physics/fracture/opening_faces.hpp"
 #include "physics/lattice/advance.hpp"
 #include "physics/lattice/next_increments.hpp"
+#include "physics/lattice/sum_unions.hpp"
 #include "physics/standard/standard_sweep.hpp"
 
 namespace cracksim::physics {
@@ -35,7 +36,7 @@ Swept StandardEngine::forces(State& state, Measure measure) {
 }
 
 Swept StandardEngine::advance(State& state, std::span<const Vec3> received, Measure measure) {
-    Advancer advancer{*network_, state, caches_.rows, received};
+    Advancer advancer{*network_, state, caches_.rows, received, measure};
     StandardSweep sweep{*network_, state, caches_, measure};
     return advance_and_sweep(advancer, sweep, state);
 }
@@ -99,5 +100,7 @@ std::vector<std::int32_t> StandardEngine::opening_faces(const State& state) {
 SymmetricTensor StandardEngine::stress(const State& state, LocalEntity e) const {
     return find_standard_stresses(*network_, state, std::span{&e, 1}).front();
 }
+
+UnionSums StandardEngine::sums(const State& state) const { return sum_unions(*network_, state, caches_.rows.foreign); }
 
 }  // namespace cracksim::physics

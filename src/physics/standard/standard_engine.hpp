@@ -22,6 +22,7 @@ public:
     [[nodiscard]] std::vector<LocalDuplet> may_trigger(const State& state) override;
     [[nodiscard]] std::vector<std::int32_t> opening_faces(const State& state) override;
     [[nodiscard]] SymmetricTensor stress(const State& state, LocalEntity e) const override;
+    [[nodiscard]] UnionSums sums(const State& state) const override;
     [[nodiscard]] std::size_t memory_bytes() const override { return caches_.memory_bytes(); }
 
     [[nodiscard]] const StandardCaches& caches() const { return caches_; }

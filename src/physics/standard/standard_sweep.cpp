@@ -104,12 +104,15 @@ StandardSweep::StandardSweep(const Network& network, State& state, StandardCache
 
 void StandardSweep::sweep_row(std::size_t row) {
     const RowView row_view = view_of(lattice_->cell_rows()[row]);
-    const bool measured = measure_ == Measure::elastic_energy;
-    std::visit([&](auto& view) { sweep_standard_row(view, row_view, measured); }, view_);
+    std::visit([&](auto& view) { sweep_standard_row(view, row_view, measure_); }, view_);
 }
 
 Swept StandardSweep::found() const {
-    return std::visit([](const auto& view) { return Swept{view.dissipated, view.elastic, std::nullopt}; }, view_);
+    const auto found = [&](const auto& view) {
+        const bool over_step = measure_ == Measure::all && finds_over_step(view);
+        return Swept{view.dissipated, view.elastic, over_step ? std::optional{view.over_step} : std::nullopt, {}};
+    };
+    return std::visit(found, view_);
 }
 
 void find_standard_corner_forces(const Network& network, const State& state, std::span<const LocalEntity> entities,

@@ -4,8 +4,6 @@
 
 namespace cracksim::physics {
 
-namespace {
-
 HeldUnion held_at(const Network& network, LocalUnion s, Vec3 rest) {
     HeldUnion held{s, rest, {-1, -1, -1}};
     for (std::size_t i = network.supports().size(); i-- > 0;) {
@@ -19,9 +17,7 @@ HeldUnion held_at(const Network& network, LocalUnion s, Vec3 rest) {
     return held;
 }
 
-}  // namespace
-
-HeldUnions::HeldUnions(const Network& network, const Unions& unions) {
+HeldUnions::HeldUnions(const Network& network, const Unions& unions) : work_(network.supports().size(), 0.0) {
     if (network.supports().empty()) {
         return;
     }
@@ -36,6 +32,14 @@ HeldUnions::HeldUnions(const Network& network, const Unions& unions) {
 void HeldUnions::add(const HeldUnion& held) {
     place_[held.local_union] = all_.size();
     all_.push_back(held);
+}
+
+void HeldUnions::add_work(const HeldUnion& held, Vec3 force, Vec3 path) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (const int support = held.support[static_cast<std::size_t>(axis)]; support >= 0) {
+            work_[static_cast<std::size_t>(support)] += force[axis] * path[axis];
+        }
+    }
 }
 
 void HeldUnions::split(LocalUnion whole, std::span<const LocalUnion> parts) {

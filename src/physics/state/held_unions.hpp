@@ -21,6 +21,9 @@ struct HeldUnion {
     std::array<std::int16_t, 3> support;
 };
 
+/// The components of a union at `rest` that the supports prescribe.
+[[nodiscard]] HeldUnion held_at(const Network& network, LocalUnion s, Vec3 rest);
+
 /// The touched unions that supports hold, and the work of the supports. If two supports prescribe the same component,
 /// the first one in the scene counts; support_conflict() detects such scenes, and a run refuses them.
 class HeldUnions {
@@ -40,11 +43,16 @@ public:
     void split(LocalUnion whole, std::span<const LocalUnion> parts);
     [[nodiscard]] std::size_t memory_bytes() const { return all_.capacity() * sizeof(HeldUnion); }
 
-    double work{0};  ///< work of the supports on the unions that this rank owns, since step 0, J
+    /// Adds force times path of the held components of a union to the work of their supports.
+    void add_work(const HeldUnion& held, Vec3 force, Vec3 path);
+    /// By support: its work on the unions that this rank owns, from half a step before step 0 to half a step before the
+    /// current step, J.
+    [[nodiscard]] const std::vector<double>& work() const { return work_; }
 
 private:
     void add(const HeldUnion& held);
 
+    std::vector<double> work_;
     std::vector<HeldUnion> all_;
     std::unordered_map<LocalUnion, std::size_t> place_;
 };

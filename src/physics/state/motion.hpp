@@ -126,6 +126,24 @@ public:
         };
         return std::visit(values, numbers_);
     }
+    /// The numbers of a union that both schemes have.
+    struct Moving {
+        Vec3 displacement;
+        Vec3 increment;
+        Vec3 force;
+        double dt2_over_mass;
+    };
+    [[nodiscard]] Moving moving(LocalUnion s) const {
+        const auto values = [&](const auto& numbers) {
+            const auto vector = [&](std::size_t quantity) {
+                const auto p = place(numbers, s, quantity);
+                return Vec3{*p.first, p.first[p.stride], p.first[2 * p.stride]};
+            };
+            return Moving{vector(Quantity::displacement), vector(Quantity::increment), vector(Quantity::force),
+                          *place(numbers, s, Quantity::dt2_over_mass).first};
+        };
+        return std::visit(values, numbers_);
+    }
     void set(LocalUnion s, std::size_t quantity, Vec3 value);
     [[nodiscard]] double dt2_over_mass(LocalUnion s) const {
         return std::visit(

@@ -10,4 +10,7 @@ namespace cracksim::physics {
 /// middle of the next step.
 [[nodiscard]] Vec3 prescribed(const Network& network, const State& state, LocalUnion s, Vec3 free, double offset);
 
+/// The same for a held union at a time t, s.
+[[nodiscard]] Vec3 prescribed(const Network& network, double step_size, const HeldUnion& held, Vec3 free, double t);
+
 }  // namespace cracksim::physics

@@ -53,6 +53,10 @@ TEST(Summary, HasTheKeysThatUsersRelyOn) {
                                 "/energy/dissipated",
                                 "/energy/external",
                                 "/energy/residual",
+                                "/energy/scale",
+                                "/momentum",
+                                "/angular_momentum",
+                                "/supports",
                                 "/seconds/total",
                                 "/seconds/setup",
                                 "/seconds/force",
@@ -133,6 +137,17 @@ TEST(Summary, FramesAreListedBySeries) {
     EXPECT_EQ(json["frames"]["surface"][0]["file"], "frames/surface-000000.hdf");
     EXPECT_TRUE(json["frames"]["crack"].is_array());
     EXPECT_EQ(json["largest_fragments"][0]["volume_share"], 0.25);
+}
+
+TEST(Summary, SupportsAreListedByName) {
+    Summary summary;
+    summary.momentum = {1, 2, 3};
+    summary.supports = {{"left side", {4, 5, 6}, {7, 8, 9}, 10}};
+    const Json json = Json::parse(summary_text(summary));
+    EXPECT_EQ(json["momentum"], (Json{1.0, 2.0, 3.0}));
+    EXPECT_EQ(json["supports"]["left side"]["force"], (Json{4.0, 5.0, 6.0}));
+    EXPECT_EQ(json["supports"]["left side"]["displacement"], (Json{7.0, 8.0, 9.0}));
+    EXPECT_EQ(json["supports"]["left side"]["work"], 10.0);
 }
 
 TEST(Summary, FileIsReplacedWhole) {

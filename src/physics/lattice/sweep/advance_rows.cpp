@@ -26,41 +26,55 @@ struct ComponentView {
     Real* extrapolated;  ///< null without ab2
 };
 
-/// Advances some components by one step. Returns the mask of the lanes whose increments are valid: finite and below the
-/// limit.
-template <bool Extrapolate, class Real, class Vector>
-HWY_INLINE auto advance_component(const ComponentView<Real>& v, Vector dt2_over_mass, Vector limit) {
+/// Whether an advance extrapolates, and whether it adds up the work of the forces: known at compile time.
+template <bool Extrapolate, bool SumsWork>
+struct How {
+    static constexpr bool extrapolate = Extrapolate;
+    static constexpr bool sums_work = SumsWork;
+};
+
+/// Advances some components by one step and adds to work. Returns the mask of the lanes whose increments are valid:
+/// finite and below the limit.
+template <class H, class Real, class Vector>
+HWY_INLINE auto advance_component(const ComponentView<Real>& v, Vector dt2_over_mass, Vector limit, Vector& work) {
     const hn::DFromV<Vector> d;
     const Vector before = hn::Load(d, v.increment);
-    const Vector w = next_increment(before, dt2_over_mass, hn::Load(d, v.force));
+    const Vector force = hn::Load(d, v.force);
+    const Vector w = next_increment(before, dt2_over_mass, force);
+    if constexpr (H::sums_work) {
+        // Without a mass, there is a force but no union of this rank.
+        const auto any = hn::Gt(dt2_over_mass, hn::Zero(d));
+        work = hn::MulAdd(hn::IfThenElseZero(any, force), w, work);
+    }
     hn::Store(w, d, v.increment);
     hn::Store(hn::Add(hn::Load(d, v.displacement), w), d, v.displacement);
     hn::Store(hn::Zero(d), d, v.force);
-    if constexpr (Extrapolate) {
+    if constexpr (H::extrapolate) {
         const Vector now = hn::Mul(hn::Set(d, static_cast<Real>(1.5)), w);
         hn::Store(hn::Sub(now, hn::Mul(hn::Set(d, static_cast<Real>(0.5)), before)), d, v.extrapolated);
     }
     return hn::Lt(hn::Abs(w), limit);
 }
 
-template <bool Extrapolate, class Real>
-HWY_INLINE void advance_lanes(Real* first, std::size_t stride, V<Real> limit, hn::Mask<D<Real>>& sane) {
+template <class H, class Real>
+HWY_INLINE void advance_lanes(Real* first, std::size_t stride, V<Real> limit, hn::Mask<D<Real>>& sane, V<Real>& work) {
     const auto component = [&](std::size_t quantity) { return first + quantity * stride; };
     const V<Real> dt2_over_mass = hn::Load(D<Real>{}, component(Quantity::dt2_over_mass));
     for (std::size_t i = 0; i < 3; ++i) {
         const ComponentView<Real> v{component(Quantity::displacement + i), component(Quantity::increment + i),
                                     component(Quantity::force + i),
-                                    Extrapolate ? component(Quantity::extrapolated + i) : nullptr};
-        sane = hn::And(sane, advance_component<Extrapolate>(v, dt2_over_mass, limit));
+                                    H::extrapolate ? component(Quantity::extrapolated + i) : nullptr};
+        sane = hn::And(sane, advance_component<H>(v, dt2_over_mass, limit, work));
     }
 }
 
 /// Advances the unions in the pool. Returns false if an increment is invalid.
-template <bool Extrapolate, class Real>
-HWY_INLINE bool advance_pooled(const AdvanceView<Real>& v) {
+template <class H, class Real>
+HWY_INLINE bool advance_pooled(AdvanceView<Real>& v) {
     const hn::CappedTag<Real, Pooled::together> d;
     const auto limit = hn::Set(d, static_cast<Real>(v.longest_increment));
     auto sane = hn::Eq(limit, limit);
+    auto work = hn::Zero(d);
     for (const PoolPlace first : v.pooled) {
         for (PoolPlace place = first; place != PoolPlace{}; place = v.next_pooled[place.index()]) {
             Real* const numbers = v.pool + place.index() * v.pool_stride;
@@ -69,32 +83,39 @@ HWY_INLINE bool advance_pooled(const AdvanceView<Real>& v) {
                 const auto component = [&](std::size_t quantity) { return numbers + Pooled::at(quantity) + i; };
                 const ComponentView<Real> all{component(Quantity::displacement), component(Quantity::increment),
                                               component(Quantity::force),
-                                              Extrapolate ? component(Quantity::extrapolated) : nullptr};
-                sane = hn::And(sane, advance_component<Extrapolate>(all, dt2_over_mass, limit));
+                                              H::extrapolate ? component(Quantity::extrapolated) : nullptr};
+                sane = hn::And(sane, advance_component<H>(all, dt2_over_mass, limit, work));
             }
         }
+    }
+    if constexpr (H::sums_work) {
+        v.force_work += hn::GetLane(hn::SumOfLanes(d, work));
     }
     return hn::AllTrue(d, sane);
 }
 
-template <bool Extrapolate, class Real>
+template <class H, class Real>
 void advance_all(AdvanceView<Real>& v) {
     const D<Real> d;
     const V<Real> limit = broadcast<Real>(v.longest_increment);
     auto sane = hn::Eq(hn::Zero(d), hn::Zero(d));
+    V<Real> work = hn::Zero(d);
     for (std::size_t at = 0; at < v.length; at += hn::Lanes(d)) {
-        advance_lanes<Extrapolate>(v.base + at, v.base_stride, limit, sane);
+        advance_lanes<H>(v.base + at, v.base_stride, limit, sane, work);
     }
-    const bool pool_is_sane = advance_pooled<Extrapolate>(v);
+    if constexpr (H::sums_work) {
+        v.force_work += hn::GetLane(hn::SumOfLanes(d, work));
+    }
+    const bool pool_is_sane = advance_pooled<H>(v);
     v.failed = v.failed || !hn::AllTrue(d, sane) || !pool_is_sane;
 }
 
 template <class Real>
 void advance_row(AdvanceView<Real>& v) {
     if (v.extrapolates) {
-        advance_all<true>(v);
+        v.sums_work ? advance_all<How<true, true>>(v) : advance_all<How<true, false>>(v);
     } else {
-        advance_all<false>(v);
+        v.sums_work ? advance_all<How<false, true>>(v) : advance_all<How<false, false>>(v);
     }
 }
 

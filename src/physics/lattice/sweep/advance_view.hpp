@@ -20,6 +20,8 @@ struct AdvanceView {
     const PoolPlace* next_pooled;
     bool extrapolates;
     double longest_increment;  ///< m; a longer increment is invalid
+    bool sums_work;            ///< whether force_work is wanted
+    double force_work;         ///< out: sum of F(n).w(n+1), J
     bool failed;               ///< out: an increment is longer or not a number
 };
 

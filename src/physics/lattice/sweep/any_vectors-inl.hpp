@@ -19,48 +19,48 @@ HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
 /// Adds the forces of the represented interactions of a vector's entities. from: the motions of their corners.
-template <bool Measured, class From, class Real>
+template <Sums Which, class From, class Real>
 CRACKSIM_INLINE void add_interactions(const SweepView<Real>& v, std::size_t site, unsigned represented,
                                       const From& from, Forces<Real>& forces, Outcome<Real>& outcome) {
     const std::uint8_t* multiplicities = multiplicities_of(v, site);
     const LimitsHere limits = limits_of(v, site);
-    add_represented<false, Measured>(v, represented, from, multiplicities, limits, forces, outcome);
+    add_represented<false, Which>(v, represented, from, multiplicities, limits, forces, outcome);
     if (is_far(outcome)) {
-        add_far<Measured>(v, represented, from, multiplicities, limits, forces, outcome);
+        add_far<Which>(v, represented, from, multiplicities, limits, forces, outcome);
     }
 }
 
 /// Sweeps the vector of entities at the place `at` of a row. All its corners must be in the base layer; the entities
 /// may represent any interactions.
-template <bool Measured, class Real>
+template <Sums Which, class Real>
 HWY_NOINLINE void sweep_base(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
                              unsigned represented, RowSums<Real>& sums) {
     Forces<Real> forces;
     Outcome<Real> outcome;
-    add_interactions<Measured>(v, row.first_site + at, represented, plain_corners_at(v, run, at), forces, outcome);
+    add_interactions<Which>(v, row.first_site + at, represented, plain_corners_at(v, run, at), forces, outcome);
     add_sides(forces, run, at);
-    add_to_sums<Measured>(v, outcome, owned_of(v, row.first_site + at), row.first_site + at, sums);
+    add_to_sums<Which>(v, outcome, owned_of(v, row.first_site + at), row.first_site + at, sums);
 }
 
 /// Sweeps the vector of entities at the place `at` of a row. Its corners may be in base layer and pool.
-template <bool Measured, class Real>
+template <Sums Which, class Real>
 HWY_NOINLINE void sweep_split(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
                               unsigned represented, RowSums<Real>& sums) {
     const std::size_t site = row.first_site + at;
     Assembled<Real> assembled;
-    assemble(v, row, at, assembled);
+    assemble<Which == Sums::over_step_of_ab2>(v, row, at, assembled);
     Forces<Real> forces;
     Outcome<Real> outcome;
-    add_interactions<Measured>(v, site, represented, assembled, forces, outcome);
+    add_interactions<Which>(v, site, represented, assembled, forces, outcome);
     add_to_pool(v, site, forces);
     add_side_in_base<0>(v, site, forces, run, at);
     add_side_in_base<1>(v, site, forces, run, at);
     add_side_in_base<2>(v, site, forces, run, at);
     add_side_in_base<3>(v, site, forces, run, at);
-    add_to_sums<Measured>(v, outcome, owned_of(v, site), site, sums);
+    add_to_sums<Which>(v, outcome, owned_of(v, site), site, sums);
 }
 
-template <bool Measured, class Real>
+template <Sums Which, class Real>
 CRACKSIM_INLINE void sweep_any(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
                                RowSums<Real>& sums) {
     const std::size_t site = row.first_site + at;
@@ -68,9 +68,9 @@ CRACKSIM_INLINE void sweep_any(SweepView<Real>& v, const RowView& row, RowRun<Re
     if (represented == 0) {
         deliver(run, at);
     } else if (is_base(v, site)) {
-        sweep_base<Measured>(v, row, run, at, represented, sums);
+        sweep_base<Which>(v, row, run, at, represented, sums);
     } else {
-        sweep_split<Measured>(v, row, run, at, represented, sums);
+        sweep_split<Which>(v, row, run, at, represented, sums);
     }
 }
 

@@ -18,10 +18,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-/// The displacements of a vector's corners and the increments that damping uses, copied into one array.
+/// The displacements of a vector's corners, the increments that damping uses, and the last increments if these are
+/// needed and others, copied into one array.
 template <class Real>
 struct Assembled {
-    HWY_ALIGN Real motion[Hexahedron::corners][6][vector_lanes<Real>];
+    HWY_ALIGN Real motion[Hexahedron::corners][9][vector_lanes<Real>];
 
     template <std::size_t C, std::size_t Axis>
     HWY_INLINE V<Real> displacement() const {
@@ -31,6 +32,10 @@ struct Assembled {
     HWY_INLINE V<Real> velocity_increment() const {
         return hn::Load(D<Real>{}, motion[C][3 + Axis]);
     }
+    template <std::size_t C, std::size_t Axis>
+    HWY_INLINE V<Real> last_increment() const {
+        return hn::Load(D<Real>{}, motion[C][6 + Axis]);
+    }
 };
 
 /// The motions of entities whose corners are all in the base layer. They are loaded where they are needed, because
@@ -39,7 +44,8 @@ template <class Real>
 struct PlainCorners {
     const Real* side[Lattice::sides];  ///< u of the lower corners in the base layer
     std::size_t stride;
-    std::size_t velocity;  ///< distance from u to the increment that damping uses
+    std::size_t velocity;   ///< distance from u to the increment that damping uses
+    std::size_t increment;  ///< distance from u to the last increment
 
     template <std::size_t C, std::size_t Axis>
     HWY_INLINE V<Real> displacement() const {
@@ -48,6 +54,10 @@ struct PlainCorners {
     template <std::size_t C, std::size_t Axis>
     HWY_INLINE V<Real> velocity_increment() const {
         return hn::LoadU(D<Real>{}, place<C>() + velocity + Axis * stride);
+    }
+    template <std::size_t C, std::size_t Axis>
+    HWY_INLINE V<Real> last_increment() const {
+        return hn::LoadU(D<Real>{}, place<C>() + increment + Axis * stride);
     }
 
 private:
@@ -66,7 +76,8 @@ template <class Real>
 HWY_INLINE PlainCorners<Real> plain_corners_at(const MotionView<Real>& v, const RowRun<Real>& run, std::size_t at) {
     return {{run.side[0] + at, run.side[1] + at, run.side[2] + at, run.side[3] + at},
             run.stride,
-            v.velocity_quantity * run.stride};
+            v.velocity_quantity * run.stride,
+            Quantity::increment * run.stride};
 }
 
 /// The pooled corners of the half batch of a site; null: none.
@@ -123,8 +134,8 @@ HWY_INLINE V3<Real> zero_unless(std::uint8_t lanes, const V3<Real>& v) {
     return {hn::IfThenElseZero(mask, v.x), hn::IfThenElseZero(mask, v.y), hn::IfThenElseZero(mask, v.z)};
 }
 
-/// Copies the motions of all corners from base layer and pool into one array.
-template <class Real>
+/// Copies the motions of all corners from base layer and pool into one array. WithLast: the last increments too.
+template <bool WithLast, class Real>
 CRACKSIM_INLINE void assemble(const MotionView<Real>& v, const RowView& row, std::size_t at,
                               Assembled<Real>& assembled) {
     const bool all_pooled = is_pooled(v, row.first_site + at);
@@ -134,6 +145,10 @@ CRACKSIM_INLINE void assemble(const MotionView<Real>& v, const RowView& row, std
         store3(load3(base, v.base_stride), assembled.motion[c][0], vector_lanes<Real>);
         store3(load3(base + v.velocity_quantity * v.base_stride, v.base_stride), assembled.motion[c][3],
                vector_lanes<Real>);
+        if constexpr (WithLast) {
+            store3(load3(base + Quantity::increment * v.base_stride, v.base_stride), assembled.motion[c][6],
+                   vector_lanes<Real>);
+        }
     }
     const std::size_t velocity = Pooled::at(v.velocity_quantity);
     for_each_pooled(v, row.first_site + at, [&](PoolPlace place, std::size_t corner, std::size_t lane) {
@@ -141,6 +156,9 @@ CRACKSIM_INLINE void assemble(const MotionView<Real>& v, const RowView& row, std
         for (std::size_t axis = 0; axis < 3; ++axis) {
             assembled.motion[corner][axis][lane] = from[axis];
             assembled.motion[corner][3 + axis][lane] = from[velocity + axis];
+            if constexpr (WithLast) {
+                assembled.motion[corner][6 + axis][lane] = from[Pooled::at(Quantity::increment) + axis];
+            }
         }
     });
 }

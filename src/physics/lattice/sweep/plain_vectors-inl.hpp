@@ -66,7 +66,7 @@ HWY_INLINE V<Real> plain_multiplicity(const std::uint8_t* multiplicities) {
     }
 }
 
-template <Known What, unsigned Represented, bool Measured, class Real, std::size_t... I>
+template <Known What, unsigned Represented, Sums Which, class Real, std::size_t... I>
 CRACKSIM_INLINE void add_all_plain(const SweepView<Real>& v, RowRun<Real>& run, std::size_t at,
                                    const std::uint8_t* multiplicities, const LimitsHere& limits, Outcome<Real>& outcome,
                                    std::index_sequence<I...> list) {
@@ -74,10 +74,10 @@ CRACKSIM_INLINE void add_all_plain(const SweepView<Real>& v, RowRun<Real>& run, 
     const PlainCorners<Real> x = plain_corners_at(v, run, at);
     Interactions<Real> all;
     ((all.multiplicity[I] = plain_multiplicity<What, I, Real>(multiplicities)), ...);
-    find_stretches<no_void, true, false, Measured>(v, x, limits, all, outcome, list);
+    find_stretches<no_void, true, false, Which>(v, x, limits, all, outcome, list);
     if (is_far(outcome)) {
         Forces<Real> forces;
-        add_far<Measured>(v, Represented, x, multiplicities, limits, forces, outcome);
+        add_far<Which>(v, Represented, x, multiplicities, limits, forces, outcome);
         add_sides(forces, run, at);
         return;
     }
@@ -93,23 +93,24 @@ CRACKSIM_INLINE void add_all_plain(const SweepView<Real>& v, RowRun<Real>& run, 
 }
 
 /// Sweeps consecutive vectors of a row that represent the same interactions, from the place `at` to `end`.
-template <unsigned Represented, Known What, bool Measured, class Real>
+template <unsigned Represented, Known What, Sums Which, class Real>
 HWY_NOINLINE void sweep_plain(SweepView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
                               std::size_t end, RowSums<Real>& sums) {
     for (; at < end; at += vector_lanes<Real>) {
         const std::size_t site = row.first_site + at;
-        Outcome<Real> outcome = no_outcome<Real>();
+        Outcome<Real> outcome;
+        clear<Which>(outcome);
         const std::uint8_t* multiplicities = multiplicities_of(v, site);
-        add_all_plain<What, Represented, Measured>(v, run, at, multiplicities, limits_of(v, site), outcome,
-                                                   ListOf<Represented>{});
-        add_to_sums<Measured>(v, outcome, plain_multiplicity<What, SharedEdges::owned_row, Real>(multiplicities), site,
-                              sums);
+        add_all_plain<What, Represented, Which>(v, run, at, multiplicities, limits_of(v, site), outcome,
+                                                ListOf<Represented>{});
+        add_to_sums<Which>(v, outcome, plain_multiplicity<What, SharedEdges::owned_row, Real>(multiplicities), site,
+                           sums);
     }
 }
 
 /// Sweeps consecutive vectors of a row, if there is code for the interactions that they represent. Returns false if
 /// not.
-template <bool Measured, class Real>
+template <Sums Which, class Real>
 HWY_INLINE bool sweep_plain(unsigned represented, SweepView<Real>& v, const RowView& row, RowRun<Real>& run,
                             std::size_t at, std::size_t end, RowSums<Real>& sums) {
     // The interactions that vectors of an intact block represent. Rare cases, and blocks that are only one vector wide,
@@ -122,18 +123,18 @@ HWY_INLINE bool sweep_plain(unsigned represented, SweepView<Real>& v, const RowV
     constexpr unsigned full = 1U << SharedEdges::full;
     switch (represented) {
         case interior | SharedEdges::properties:
-            sweep_plain<interior, Known::interior, Measured>(v, row, run, at, end, sums);
+            sweep_plain<interior, Known::interior, Which>(v, row, run, at, end, sums);
             return true;
-        case interior | full: sweep_plain<interior, Known::full, Measured>(v, row, run, at, end, sums); return true;
-        case interior: sweep_plain<interior, Known::any, Measured>(v, row, run, at, end, sums); return true;
+        case interior | full: sweep_plain<interior, Known::full, Which>(v, row, run, at, end, sums); return true;
+        case interior: sweep_plain<interior, Known::any, Which>(v, row, run, at, end, sums); return true;
         case start_of_row | full:
-            sweep_plain<start_of_row, Known::full, Measured>(v, row, run, at, end, sums);
+            sweep_plain<start_of_row, Known::full, Which>(v, row, run, at, end, sums);
             return true;
-        case front | full: sweep_plain<front, Known::full, Measured>(v, row, run, at, end, sums); return true;
-        case lowest | full: sweep_plain<lowest, Known::full, Measured>(v, row, run, at, end, sums); return true;
-        case lowest: sweep_plain<lowest, Known::any, Measured>(v, row, run, at, end, sums); return true;
+        case front | full: sweep_plain<front, Known::full, Which>(v, row, run, at, end, sums); return true;
+        case lowest | full: sweep_plain<lowest, Known::full, Which>(v, row, run, at, end, sums); return true;
+        case lowest: sweep_plain<lowest, Known::any, Which>(v, row, run, at, end, sums); return true;
         case lowest_start | full:
-            sweep_plain<lowest_start, Known::full, Measured>(v, row, run, at, end, sums);
+            sweep_plain<lowest_start, Known::full, Which>(v, row, run, at, end, sums);
             return true;
         default: return false;
     }

@@ -23,11 +23,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
-template <bool Measured, class Real>
+template <Sums Which, class Real>
 void sweep_vectors(SweepView<Real>& v, const RowView& row) {
     const D<Real> d;
     std::fill_n(v.exceeded + row.first_site / Lattice::lanes, row.sites / Lattice::lanes, EdgeBits{});
-    RowSums<Real> sums{hn::Zero(d), hn::Zero(d)};
+    RowSums<Real> sums{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
     RowRun<Real> run = begin_run(v, row);
     for (std::size_t at = 0; at < row.sites;) {
         const std::size_t site = row.first_site + at;
@@ -39,26 +39,33 @@ void sweep_vectors(SweepView<Real>& v, const RowView& row) {
                    represented_by(v, row.first_site + end) == list) {
                 end += vector_lanes<Real>;
             }
-            done = sweep_plain<Measured>(list, v, row, run, at, end, sums);
+            done = sweep_plain<Which>(list, v, row, run, at, end, sums);
         }
         for (; !done && at < end; at += vector_lanes<Real>) {
-            sweep_any<Measured>(v, row, run, at, sums);
+            sweep_any<Which>(v, row, run, at, sums);
         }
         at = end;
     }
     deliver(run, row.sites);
     v.dissipated += hn::GetLane(hn::SumOfLanes(d, sums.dissipated));
-    if constexpr (Measured) {
+    if constexpr (Which != Sums::dissipated) {
         v.elastic += hn::GetLane(hn::SumOfLanes(d, sums.elastic));
+    }
+    if constexpr (is_over_step<Which>) {
+        v.over_step += hn::GetLane(hn::SumOfLanes(d, sums.over_step));
     }
 }
 
 template <class Real>
-void sweep_row_of(SweepView<Real>& v, const RowView& row, bool measures_elastic) {
-    if (measures_elastic) {
-        sweep_vectors<true>(v, row);
+void sweep_row_of(SweepView<Real>& v, const RowView& row, Measure measure) {
+    if (measure == Measure::nothing) {
+        sweep_vectors<Sums::dissipated>(v, row);
+    } else if (measure == Measure::elastic_energy) {
+        sweep_vectors<Sums::elastic_too>(v, row);
+    } else if (v.velocity_quantity == Quantity::increment) {
+        sweep_vectors<Sums::over_step>(v, row);
     } else {
-        sweep_vectors<false>(v, row);
+        sweep_vectors<Sums::over_step_of_ab2>(v, row);
     }
 }
 
@@ -78,15 +85,15 @@ void sweep_gathered(const SweepView<Real>& v, GatheredEntities<Real>& entities) 
         }
         Forces<Real> forces;
         Outcome<Real> outcome;
-        add_far<false>(v, 0xffffU, assembled, ones, limits, forces, outcome);
+        add_far<Sums::dissipated>(v, 0xffffU, assembled, ones, limits, forces, outcome);
         for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
             store3(forces.f[c], entities.force[0][c] + lane, stride);
         }
     }
 }
 
-void sweep_row_of_real(SweepView<CRACKSIM_REAL>& v, const RowView& row, bool measures_elastic) {
-    sweep_row_of(v, row, measures_elastic);
+void sweep_row_of_real(SweepView<CRACKSIM_REAL>& v, const RowView& row, Measure measure) {
+    sweep_row_of(v, row, measure);
 }
 void sweep_entities_of_real(const SweepView<CRACKSIM_REAL>& v, GatheredEntities<CRACKSIM_REAL>& entities) {
     sweep_gathered(v, entities);
@@ -102,8 +109,8 @@ namespace cracksim::physics {
 HWY_EXPORT(sweep_row_of_real);
 HWY_EXPORT(sweep_entities_of_real);
 
-void sweep_row(SweepView<CRACKSIM_REAL>& v, const RowView& row, bool measures_elastic) {
-    HWY_DYNAMIC_DISPATCH(sweep_row_of_real)(v, row, measures_elastic);
+void sweep_row(SweepView<CRACKSIM_REAL>& v, const RowView& row, Measure measure) {
+    HWY_DYNAMIC_DISPATCH(sweep_row_of_real)(v, row, measure);
 }
 
 void sweep_entities(const SweepView<CRACKSIM_REAL>& v, GatheredEntities<CRACKSIM_REAL>& entities) {

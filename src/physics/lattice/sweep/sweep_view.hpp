@@ -63,6 +63,7 @@ struct InteractionConstants {
     Real stiffness;               ///< k, N/m
     Real viscosity_rate;          ///< z/(dt L0^2), N/m3
     Real half_energy;             ///< k L0^2/2, J
+    Real half_stiffness_rate;     ///< k/(2 L0^2), N/m3
 };
 
 /// Pointers into network, state and caches, the same for all rows.
@@ -77,6 +78,7 @@ struct SweepView : MotionView<Real> {
     EdgeBits* exceeded;                  ///< [batch]: edges stretched beyond their limit
     double dissipated;                   ///< out: sum of (z/dt) (dw.n)^2, J
     double elastic;                      ///< out: sum of k e^2 / 2, J
+    double over_step;                    ///< out: the interactions' part of Swept::over_step, J
 };
 
 }  // namespace cracksim::physics

@@ -18,11 +18,12 @@ HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
 /// Which entities a sweep computes, and what of them: all known at compile time.
-template <bool IsCube, bool IsDamped, bool IsMeasured>
+template <bool IsCube, bool IsDamped, bool IsMeasured, bool IsOverStep = false>
 struct Kind {
     static constexpr bool cube = IsCube;
     static constexpr bool damped = IsDamped;
     static constexpr bool measured = IsMeasured;
+    static constexpr bool over_step = IsOverStep;
 };
 
 /// Below these, D and N2 count as zero, and so do the terms that they divide.

@@ -38,6 +38,7 @@ template <class Real>
 struct StandardSums {
     V<Real> dissipated;
     V<Real> elastic;
+    V<Real> over_step;
 };
 
 template <class Real>
@@ -65,6 +66,31 @@ CRACKSIM_INLINE void store_stresses(const StandardConstants<Real>& k, const From
     });
 }
 
+/// The corners of entities one step before, with the last increments, if damping uses these.
+template <class From>
+struct OneStepBefore {
+    const From* now;
+
+    template <std::size_t C, std::size_t Axis>
+    HWY_INLINE auto displacement() const {
+        return hn::Sub(now->template displacement<C, Axis>(), now->template velocity_increment<C, Axis>());
+    }
+};
+
+/// f(n).w(n+1): the work of the elastic forces of the step before over the last increments.
+template <class K, class From, class Real>
+HWY_NOINLINE void find_work_of_step_before(const StandardConstants<Real>& k, const From& from, V<Real>& work) {
+    Modes<Real> forces;
+    StandardOutcome<Real> outcome;
+    find_mode_forces<Kind<K::cube, false, false>>(k, OneStepBefore<From>{&from}, forces, outcome);
+    Modes<Real> w;
+    find_increment_modes(from, w);
+    work = hn::Zero(D<Real>{});
+    for_each<3>([&](auto i) CRACKSIM_INLINE_LAMBDA { work = add_dot3<Real>(forces.mean[i], w.mean[i], work); });
+    for_each<hourglasses>(
+        [&](auto p) CRACKSIM_INLINE_LAMBDA { work = add_dot3<Real>(forces.hourglass[p], w.hourglass[p], work); });
+}
+
 /// Marks the entities of a vector that are beyond their limits, and stores the stresses of all its entities.
 template <class From, class Real>
 HWY_NOINLINE void mark(StandardView<Real>& v, const StandardConstants<Real>& k, const From& from, std::size_t site,
@@ -87,6 +113,12 @@ HWY_INLINE void add_to_sums(StandardView<Real>& v, const StandardConstants<Real>
     }
     if constexpr (K::measured) {
         sums.elastic = hn::Add(sums.elastic, of_lanes<Real>(owned, outcome.elastic));
+    }
+    if constexpr (K::over_step) {
+        V<Real> work;
+        find_work_of_step_before<K>(k, from, work);
+        const V<Real> twice = hn::Add(work, outcome.dissipated);
+        sums.over_step = hn::MulAdd(broadcast<Real>(0.5), of_lanes<Real>(owned, twice), sums.over_step);
     }
     // The largest stress is at most tension + sqrt(deviatoric).
     const V<Real> slack = hn::Sub(from_bfloat16<Real>(v.limits + site), outcome.tension);
@@ -161,7 +193,7 @@ HWY_NOINLINE void sweep_standard_split(StandardView<Real>& v, const RowView& row
     const StandardConstants<Real> k = v.constants;
     const std::size_t site = row.first_site + at;
     Assembled<Real> assembled;
-    assemble(v, row, at, assembled);
+    assemble<false>(v, row, at, assembled);
     Modes<Real> modes;
     StandardOutcome<Real> outcome;
     find_mode_forces<K>(k, assembled, modes, outcome);
@@ -181,7 +213,7 @@ void sweep_standard_vectors(StandardView<Real>& v, const RowView& row) {
     const D<Real> d;
     std::fill_n(v.stretched + row.first_site / Lattice::lanes, row.sites / Lattice::lanes, std::uint8_t{0});
     std::fill_n(v.stored + row.first_site / Lattice::lanes, row.sites / Lattice::lanes, std::uint8_t{0});
-    StandardSums<Real> sums{hn::Zero(d), hn::Zero(d)};
+    StandardSums<Real> sums{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
     RowRun<Real> run = begin_run(v, row);
     for (std::size_t at = 0; at < row.sites;) {
         const std::size_t site = row.first_site + at;
@@ -200,11 +232,20 @@ void sweep_standard_vectors(StandardView<Real>& v, const RowView& row) {
     deliver(run, row.sites);
     v.dissipated += hn::GetLane(hn::SumOfLanes(d, sums.dissipated));
     v.elastic += hn::GetLane(hn::SumOfLanes(d, sums.elastic));
+    if constexpr (K::over_step) {
+        v.over_step += hn::GetLane(hn::SumOfLanes(d, sums.over_step));
+    }
 }
 
 template <bool IsCube, bool IsDamped, class Real>
-void sweep_standard(StandardView<Real>& v, const RowView& row, bool measures_elastic) {
-    if (measures_elastic) {
+void sweep_standard(StandardView<Real>& v, const RowView& row, Measure measure) {
+    if constexpr (IsDamped) {
+        if (measure == Measure::all && finds_over_step(v)) {
+            sweep_standard_vectors<Kind<IsCube, IsDamped, true, true>>(v, row);
+            return;
+        }
+    }
+    if (measure != Measure::nothing) {
         sweep_standard_vectors<Kind<IsCube, IsDamped, true>>(v, row);
     } else {
         sweep_standard_vectors<Kind<IsCube, IsDamped, false>>(v, row);
@@ -212,15 +253,15 @@ void sweep_standard(StandardView<Real>& v, const RowView& row, bool measures_ela
 }
 
 template <class Real>
-void sweep_standard_of(StandardView<Real>& v, const RowView& row, bool measures_elastic) {
+void sweep_standard_of(StandardView<Real>& v, const RowView& row, Measure measure) {
     if (v.is_cube && v.is_damped) {
-        sweep_standard<true, true>(v, row, measures_elastic);
+        sweep_standard<true, true>(v, row, measure);
     } else if (v.is_cube) {
-        sweep_standard<true, false>(v, row, measures_elastic);
+        sweep_standard<true, false>(v, row, measure);
     } else if (v.is_damped) {
-        sweep_standard<false, true>(v, row, measures_elastic);
+        sweep_standard<false, true>(v, row, measure);
     } else {
-        sweep_standard<false, false>(v, row, measures_elastic);
+        sweep_standard<false, false>(v, row, measure);
     }
 }
 
@@ -269,8 +310,8 @@ void find_standard_stresses_of_real(const StandardView<CRACKSIM_REAL>& v,
     find_gathered_stresses(v, entities, found);
 }
 
-void sweep_standard_row_of_real(StandardView<CRACKSIM_REAL>& v, const RowView& row, bool measures_elastic) {
-    sweep_standard_of(v, row, measures_elastic);
+void sweep_standard_row_of_real(StandardView<CRACKSIM_REAL>& v, const RowView& row, Measure measure) {
+    sweep_standard_of(v, row, measure);
 }
 
 void sweep_standard_entities_of_real(const StandardView<CRACKSIM_REAL>& v, GatheredEntities<CRACKSIM_REAL>& entities) {
@@ -296,8 +337,8 @@ HWY_EXPORT(sweep_standard_row_of_real);
 HWY_EXPORT(sweep_standard_entities_of_real);
 HWY_EXPORT(find_standard_stresses_of_real);
 
-void sweep_standard_row(StandardView<CRACKSIM_REAL>& v, const RowView& row, bool measures_elastic) {
-    HWY_DYNAMIC_DISPATCH(sweep_standard_row_of_real)(v, row, measures_elastic);
+void sweep_standard_row(StandardView<CRACKSIM_REAL>& v, const RowView& row, Measure measure) {
+    HWY_DYNAMIC_DISPATCH(sweep_standard_row_of_real)(v, row, measure);
 }
 
 void sweep_standard_entities(const StandardView<CRACKSIM_REAL>& v, GatheredEntities<CRACKSIM_REAL>& entities) {

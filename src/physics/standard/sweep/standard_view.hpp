@@ -50,6 +50,13 @@ struct StandardView : MotionView<Real> {
     BatchStress* stresses;    ///< out, [batch]: the stresses of the vectors that have an entity beyond its limit
     double dissipated;        ///< out: sum of the damping's power times dt, J
     double elastic;           ///< out: sum of the elastic energy, J
+    double over_step;         ///< out: the entities' part of Swept::over_step, J, if finds_over_step
 };
+
+/// With ab2, damping uses velocities at the state, so the trapezoidal rule has second order also for strains that turn.
+template <class Real>
+bool finds_over_step(const StandardView<Real>& v) {
+    return v.is_damped && v.velocity_quantity == Quantity::increment;
+}
 
 }  // namespace cracksim::physics

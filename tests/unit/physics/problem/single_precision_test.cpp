@@ -6,7 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include "physics/state/kinetic_energy.hpp"
 #include "support/body.hpp"
 #include "support/serial_network.hpp"
 
@@ -72,7 +71,7 @@ TEST(SinglePrecision, FollowsDoubleToFourDigitsThroughAThousandSteps) {
     EXPECT_GT(difference, 0);
     EXPECT_LT(difference / farthest, 1e-4);
     const auto energy = [&](const test::Body& body) {
-        return body.swept.elastic + kinetic_energy(network, body.state);
+        return body.swept.elastic + body.engine.sums(body.state).kinetic;
     };
     EXPECT_NEAR(energy(body_in_single) / energy(body_in_double), 1, 1e-4);
 }
