@@ -90,14 +90,16 @@ std::vector<std::int32_t> StandardEngine::opening_faces(const State& state) {
             }
         }
     });
-    const auto others = faces_that_open(*network_, std::move(unknown), [&](LocalEntity e) { return stress(state, e); });
+    const auto others = faces_that_open(*network_, std::move(unknown), [&](std::span<const LocalEntity> entities) {
+        return stresses(state, entities);
+    });
     found.insert(found.end(), others.begin(), others.end());
     std::ranges::sort(found);
     return found;
 }
 
-SymmetricTensor StandardEngine::stress(const State& state, LocalEntity e) const {
-    return find_standard_stresses(*network_, state, std::span{&e, 1}).front();
+std::vector<SymmetricTensor> StandardEngine::stresses(const State& state, std::span<const LocalEntity> entities) const {
+    return find_standard_stresses(*network_, state, entities);
 }
 
 }  // namespace cracksim::physics
