@@ -70,8 +70,8 @@ public:
     /// Sensors `stress`: the interior faces with active duplets that open at the state of the last forces, ascending,
     /// each once (fracture/stress_sensor.hpp).
     [[nodiscard]] virtual std::vector<std::int32_t> opening_faces(const State& state) = 0;
-    /// The elastic stresses of some entities in their rest frames, over Young's modulus. The bits of each depend only on
-    /// the network and the displacements of the entity's corners.
+    /// The elastic stresses of some entities in their rest frames, over Young's modulus. The bits of each depend only
+    /// on the network and the displacements of the entity's corners.
     [[nodiscard]] virtual std::vector<SymmetricTensor> stresses(const State& state,
                                                                 std::span<const LocalEntity> entities) const = 0;
     [[nodiscard]] virtual std::size_t memory_bytes() const = 0;

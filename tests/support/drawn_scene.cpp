@@ -10,7 +10,8 @@ namespace cracksim::test {
 
 namespace {
 
-/// A stable step dt (s); that of interactions is the largest, which solves dt^2 (6 k1 + 2 k3) + c dt (6 z1 + 2 z3) = 4 m, c = 2 (cordis), 4 (ab2).
+/// A stable step dt (s); that of interactions is the largest, which solves dt^2 (6 k1 + 2 k3) + c dt (6 z1 + 2 z3) = 4
+/// m, c = 2 (cordis), 4 (ab2).
 double step_bound(const oracle::Scene& scene) {
     if (scene.standard) {
         const double modulus = scene.standard->young * (1 - scene.standard->poisson) /

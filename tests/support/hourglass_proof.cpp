@@ -11,8 +11,8 @@ namespace cracksim::test {
 
 namespace {
 
-/// The parameters: the root of w = |V|^2; eta, the weight of Q's direction, from 1/largest_weight_ratio to 1; and y over
-/// its largest value, sqrt(w (1 - w) eta).
+/// The parameters: the root of w = |V|^2; eta, the weight of Q's direction, from 1/largest_weight_ratio to 1; and y
+/// over its largest value, sqrt(w (1 - w) eta).
 using Box = std::array<Interval, 3>;
 
 /// Is the form of part 3 below the diagonal form of the corner?

@@ -88,7 +88,8 @@ Answer is_above(const CellFunction& bound, const CellMatrix& block, const Direct
 
 // The part of the Hessian with kappa is kappa (even(z) I + radial(z) u u^T), z = 1/(1 + s), with even(z) for pairs too.
 // It is computed at the ends of slabs of z. Inside a slab it is below the chord plus an eighth of the squared width
-// times the largest -d2/dz2, which is kappa max(12, 144 z - 36). At multiples of 1/64, none of these numbers is rounded.
+// times the largest -d2/dz2, which is kappa max(12, 144 z - 36). At multiples of 1/64, none of these numbers is
+// rounded.
 constexpr int slabs = 64;
 double even(double z) { return 1.5 - 6 * z * z; }
 double radial(double z) { return 8 * z * z * (1 - z); }

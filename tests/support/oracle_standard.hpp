@@ -10,8 +10,9 @@ namespace cracksim::oracle {
 
 using CornerVectors = std::array<Vector, corners>;
 
-/// The forces (N) of a standard entity on its corners, as the derivatives of its energy by the displacements and of half
-/// its dissipated power by the velocities. Energy and power are written as matrices, not as cracksim computes them.
+/// The forces (N) of a standard entity on its corners, as the derivatives of its energy by the displacements and of
+/// half its dissipated power by the velocities. Energy and power are written as matrices, not as cracksim computes
+/// them.
 [[nodiscard]] CornerVectors standard_forces(const Standard& matter, const Vector& edge, const CornerVectors& u,
                                             const CornerVectors& velocity);
 

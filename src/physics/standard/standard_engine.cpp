@@ -63,12 +63,13 @@ std::vector<LocalDuplet> StandardEngine::may_trigger(const State& state) {
 }
 
 // The stress that decides about a face is at most the mean of the largest stresses of its two entities
-// (fracture/stress_sensor.hpp), so a face opens only if one of them is above the face's threshold: that entity is marked.
+// (fracture/stress_sensor.hpp), so a face opens only if one of them is above the face's threshold: that entity is
+// marked.
 std::vector<std::int32_t> StandardEngine::opening_faces(const State& state) {
     std::vector<std::int32_t> found;
     std::vector<std::int32_t> unknown;  // faces with an entity whose stress is not stored
     const auto is_marked = [&](std::size_t site) {
-        return (caches_.stretched[site / Lattice::lanes] >> site % Lattice::lanes & 1U) != 0;
+        return (unsigned{caches_.stretched[site / Lattice::lanes]} >> site % Lattice::lanes & 1U) != 0;
     };
     for_each_marked(state.lattice(), caches_.stretched, [&](std::size_t site, LocalEntity e) {
         for (int side = 0; side < Hexahedron::faces; ++side) {

@@ -49,8 +49,9 @@ TEST(StandardBound, IsNotExceededInAnyConfiguration) {
     });
 }
 
-/// What the climbs must reach: the bound is at most 3 % above what they find for cubes, 5 % (stiffness) and 8 % (damping)
-/// for other boxes, and 25 % and 15 % for those below nu = 0.2, where climbs find less and the bound is less sharp.
+/// What the climbs must reach: the bound is at most 3 % above what they find for cubes, 5 % (stiffness) and 8 %
+/// (damping) for other boxes, and 25 % and 15 % for those below nu = 0.2, where climbs find less and the bound is less
+/// sharp.
 test::Shares least_shares(const StandardEntity& entity) {
     if (entity.edge == boxes[0]) {
         return {1 / 1.03, 1 / 1.03};
