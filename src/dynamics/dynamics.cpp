@@ -51,7 +51,6 @@ bool has_dashpots(const physics::EntityModel& model) {
     return std::ranges::any_of(model.paper().interaction,
                                [](const physics::KelvinVoigt& i) { return i.viscosity > 0; });
 }
-}
 
 /// Closed forms where there is no notch. Collective.
 ProblemCounts count(const partition::Communicator& comm, const scene::Scene& scene, const physics::Network& network,

@@ -14,12 +14,12 @@ namespace cracksim::dynamics {
 /// differences of energies.
 ///
 /// From step n to n+1 every force, taken as the mean of both steps, works over the increment w(n+1):
-///     elastic:    the change of the elastic energy, exact in the linear network, else with an error of third order in dt
+///     elastic:    the change of the elastic energy, exact in the linear network, else with an error of third order
 ///     dashpots:   dissipated = -(D(n) + D(n+1)).w(n+1)/2
 ///     supports:   external   =  (R(n) + R(n+1)).w(n+1)/2
 ///     together:   the change of UnionSums::kinetic, exact for any forces.
-/// So kinetic + elastic + dissipated - external is constant to rounding in the linear network and through all splits; at
-/// large strains it varies by second order in dt.
+/// So kinetic + elastic + dissipated - external is constant to rounding in the linear network and through all splits;
+/// at large strains it varies by second order in dt.
 ///
 /// Swept::over_step has the dissipation of a step, but costs a step 15 to 25 %. With P = Swept::dissipated it is
 ///     t P(n) + (1 - t) P(n+1), t = 1/4, for ab2 1/2,

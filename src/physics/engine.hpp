@@ -76,9 +76,10 @@ public:
     /// Sensors `stress`: the interior faces with active duplets that open at the state of the last forces, ascending,
     /// each once (fracture/stress_sensor.hpp).
     [[nodiscard]] virtual std::vector<std::int32_t> opening_faces(const State& state) = 0;
-    /// The elastic stress of an entity in its rest frame, over Young's modulus. Its bits depend only on the network and
-    /// the displacements of the entity's corners.
-    [[nodiscard]] virtual SymmetricTensor stress(const State& state, LocalEntity e) const = 0;
+    /// The elastic stresses of some entities in their rest frames, over Young's modulus. The bits of each depend only
+    /// on the network and the displacements of the entity's corners.
+    [[nodiscard]] virtual std::vector<SymmetricTensor> stresses(const State& state,
+                                                                std::span<const LocalEntity> entities) const = 0;
     /// Sums over the owned unions. The state must have the forces of the current step; splits do not change the sums.
     [[nodiscard]] virtual UnionSums sums(const State& state) const = 0;
     [[nodiscard]] virtual std::size_t memory_bytes() const = 0;

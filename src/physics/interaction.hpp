@@ -15,7 +15,8 @@ struct KelvinVoigt {
 };
 
 // The law of one visco-elastic interaction between masses i and j (Riffet et al. 2018, section 2.1). It is the
-// reference that tests compare the sweeps with (lattice/sweep/strain-inl.hpp, forces-inl.hpp); no run calls it. With d0 = rest, the vector from i to j at rest (m), L0 = |d0|,
+// reference that tests compare the sweeps with (lattice/sweep/strain-inl.hpp, forces-inl.hpp); no run calls it. With
+// d0 = rest, the vector from i to j at rest (m), L0 = |d0|,
 // du = u_j - u_i (m), dv = v_j - v_i (m/s), and
 //     d = d0 + du,   n = d/|d|,   e = |d| - L0 = ((2 d0 + du).du) / (|d| + L0)
 // the force on mass i is

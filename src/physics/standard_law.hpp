@@ -21,9 +21,9 @@ namespace cracksim::physics {
 //   U_h = sum_P p_P |q_P|^2 + N/D,
 //   N   = sum_(P != i) (A_i - p_P) M_Pi^2 + 2 sum_(P < i) b M_Pi M_iP + sum_PQ (W - p)_PQ M_PP M_QQ
 //
-// Forces on v_i: V (iso v_i + a4 sum_j d_ij v_j) + sum_P t_Pi q_P - (2/3)(N/D^2) v_i; on q_P: 2 p_P q_P + sum_i t_Pi v_i
-// - 2 c_P (N/D^2) q_P, with iso = 1.5 kappa (s-1)(s+3)/(1+s)^2 + 0.5 mu n2 (n2 - 3 s^2)/N2^2, a4 = 9 mu s^3/N2^2 and
-// t_Pi = (dN/dM_Pi)/D. S = iso I + a4 d is the second Piola-Kirchhoff stress.
+// Forces on v_i: V (iso v_i + a4 sum_j d_ij v_j) + sum_P t_Pi q_P - (2/3)(N/D^2) v_i; on q_P: 2 p_P q_P + sum_i t_Pi
+// v_i - 2 c_P (N/D^2) q_P, with iso = 1.5 kappa (s-1)(s+3)/(1+s)^2 + 0.5 mu n2 (n2 - 3 s^2)/N2^2, a4 = 9 mu s^3/N2^2
+// and t_Pi = (dN/dM_Pi)/D. S = iso I + a4 d is the second Piola-Kirchhoff stress.
 //
 // Damping (beta = solid.damping_time; rates with dots; r_Pi = q'_P.v_i + q_P.v'_i) adds to d: beta dev(C'), to iso:
 // 4 kappa beta (F:F')/(1 + s)^2, and to t_Pi: (2/D) beta (A_i r_Pi + b r_iP), to t_PP: (2/D) beta sum_Q W_PQ r_QQ, to

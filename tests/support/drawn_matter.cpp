@@ -39,6 +39,26 @@ void draw_material(SceneDraft& draft) {
     draft.text << "}\n";
 }
 
+/// A block of standard entities. The step stays below a rough bound: 0.5 of the shortest edge over the speed of sound.
+void draw_standard(SceneDraft& draft) {
+    oracle::Scene& scene = draft.scene;
+    const double young = draft.magnitude(1e3, 1e8);
+    const double density = draft.magnitude(100, 5000);
+    const double poisson = draft.number(-0.15, 0.45);
+    const double damping = draft.option(0.7, "damping", "no damping") ? draft.number(0.05, 0.3) : 0;
+    const double shortest = std::ranges::min(scene.edge);
+    const double volume = scene.edge[0] * scene.edge[1] * scene.edge[2];
+    scene.standard = oracle::Standard{young, poisson, damping * shortest / std::sqrt(young / density)};
+    scene.mass = density * volume / 8;
+    // The speed of the draft follows from this stiffness.
+    scene.edges = {0.2 * young * volume / (shortest * shortest), 0};
+    draft.text << "material: {model: standard, young: " << number_text(young) << ", density: " << number_text(density)
+               << ", poisson: " << number_text(poisson) << ", damping: " << number_text(damping) << "}\n";
+    if (draft.option(0.75, "stress", "normal of a material")) {
+        scene.sensors = oracle::Sensors::stress;
+    }
+}
+
 void draw_network(SceneDraft& draft) {
     oracle::Scene& scene = draft.scene;
     scene.mass = draft.magnitude(1e-3, 10);
@@ -118,7 +138,9 @@ void draw_block(SceneDraft& draft) {
 
 void draw_matter(SceneDraft& draft) {
     draft.typical_threshold = draft.magnitude(0.002, 0.02);
-    if (draft.options.contains("cubes") && draft.option(0.8, "material", "network of cubes")) {
+    if (draft.option(0.35, "standard entities", "entities of the paper")) {
+        draw_standard(draft);
+    } else if (draft.options.contains("cubes") && draft.option(0.8, "material", "network of cubes")) {
         draw_material(draft);
     } else {
         draw_network(draft);
@@ -130,7 +152,7 @@ void draw_sensors(SceneDraft& draft) {
         draft.scene.duplets = oracle::Duplets::tree;
         draft.text << "duplets: tree\n";
     }
-    draft.text << "sensors: {" << (draft.scene.sensors == oracle::Sensors::stress ? "kind: stress, " : "")
+    draft.text << "sensors: {" << (draft.scene.sensors == oracle::Sensors::stress ? "kind: stress, " : "kind: normal, ")
                << draw_weibull(draft);
     if (!draft.scene.threshold) {
         const Formula threshold = draw_threshold(draft);

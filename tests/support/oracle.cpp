@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "support/oracle_block.hpp"
+#include "support/oracle_standard.hpp"
 #include "support/oracle_stress.hpp"
 
 namespace cracksim::oracle {
@@ -158,9 +159,14 @@ private:
     [[nodiscard]] std::vector<Vector> accelerations(const std::vector<Vector>& velocity) {
         force_.assign(u_.size(), {});
         for (std::size_t i = 0; i < u_.size(); ++i) {
-            for (std::size_t j = i + 1; j / corners == i / corners; ++j) {
+            for (std::size_t j = i + 1; !scene_.standard && j / corners == i / corners; ++j) {
                 interact(i, j, velocity);
             }
+        }
+        for (std::size_t e = 0; scene_.standard && e < entity_count(scene_); ++e) {
+            const CornerVectors force =
+                standard_forces(*scene_.standard, scene_.edge, of_entity(u_, e), of_entity(velocity, e));
+            std::ranges::copy(force, force_.begin() + static_cast<std::ptrdiff_t>(corners * e));
         }
         std::vector<Vector> force(u_.size());
         std::vector<double> mass(u_.size());

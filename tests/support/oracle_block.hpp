@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "support/oracle_scene.hpp"
 
@@ -24,6 +25,13 @@ inline constexpr std::array<Place, corners> corner_place{
 
 inline std::size_t entity_count(const Scene& scene) { return scene.cells[0] * scene.cells[1] * scene.cells[2]; }
 inline std::size_t mass_count(const Scene& scene) { return corners * entity_count(scene); }
+
+/// The vectors of an entity's corners, of those of all masses.
+inline std::array<Vector, corners> of_entity(const std::vector<Vector>& by_mass, std::size_t entity) {
+    std::array<Vector, corners> found;
+    std::copy_n(by_mass.begin() + static_cast<std::ptrdiff_t>(corners * entity), corners, found.begin());
+    return found;
+}
 
 /// The mass of the same entity at the other end of the edge along an axis.
 inline std::size_t across(std::size_t mass, std::size_t axis) {

@@ -17,6 +17,13 @@ struct Interaction {
     double viscosity;  ///< N s/m
 };
 
+/// An isotropic solid of standard entities.
+struct Standard {
+    double young;  ///< Pa
+    double poisson;
+    double relaxation;  ///< damping time, s
+};
+
 struct Weibull {
     double shape;
     std::uint64_t seed;
@@ -49,6 +56,7 @@ struct Scene {
     double mass;  ///< at each corner of an entity
     Interaction edges;
     Interaction diagonals;
+    std::optional<Standard> standard;  ///< in place of interactions
     std::vector<Notch> notches;
     Duplets duplets;
     Sensors sensors;

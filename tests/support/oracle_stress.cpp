@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "support/oracle_block.hpp"
+#include "support/oracle_standard.hpp"
 
 namespace cracksim::oracle {
 
@@ -28,6 +29,9 @@ Eigen::Matrix3d virial(const Scene& scene, const std::vector<Vector>& u, std::si
 }
 
 Eigen::Matrix3d stress(const Scene& scene, const std::vector<Vector>& u, std::size_t entity) {
+    if (scene.standard) {
+        return standard_stress(*scene.standard, scene.edge, of_entity(u, entity));
+    }
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     for (std::size_t i = corners * entity; i < corners * (entity + 1); ++i) {
         for (std::size_t j = i + 1; j < corners * (entity + 1); ++j) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/sorted.hpp"
@@ -12,10 +13,10 @@
 
 namespace cracksim::physics {
 
-/// Of some interior faces, those that open, ascending, each once. stress(entity): the entity's stress over E; it is
-/// called once for each entity at these faces.
+/// Of some interior faces, those that open, ascending, each once. stresses(entities): the stresses over E of the
+/// entities at these faces, which ascend; it is called once.
 [[nodiscard]] std::vector<std::int32_t> faces_that_open(const Network& network, std::vector<std::int32_t> faces,
-                                                        auto&& stress) {
+                                                        auto&& stresses) {
     sort_and_make_unique(faces);
     std::vector<LocalEntity> entities;
     for (const std::int32_t f : faces) {
@@ -23,13 +24,9 @@ namespace cracksim::physics {
         entities.push_back(network.interior_faces()[f].b);
     }
     sort_and_make_unique(entities);
-    std::vector<SymmetricTensor> stresses;
-    stresses.reserve(entities.size());
-    for (const LocalEntity e : entities) {
-        stresses.push_back(stress(e));
-    }
+    const std::vector<SymmetricTensor> all = stresses(std::span<const LocalEntity>{entities});
     const auto stress_of = [&](LocalEntity e) -> const SymmetricTensor& {
-        return stresses[static_cast<std::size_t>(std::ranges::lower_bound(entities, e) - entities.begin())];
+        return all[static_cast<std::size_t>(std::ranges::lower_bound(entities, e) - entities.begin())];
     };
     std::erase_if(faces, [&](std::int32_t f) {
         const InteriorFace& face = network.interior_faces()[f];

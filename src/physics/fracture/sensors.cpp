@@ -42,7 +42,8 @@ std::vector<std::int32_t> opening_faces(const Network& network, const State& sta
             all.push_back(f);
         }
     }
-    return faces_that_open(network, std::move(all), [&](LocalEntity e) { return engine.stress(state, e); });
+    return faces_that_open(network, std::move(all),
+                           [&](std::span<const LocalEntity> e) { return engine.stresses(state, e); });
 }
 
 /// A rank holds the duplets that tie masses of its touched unions, so it must decide every face with such a duplet. It

@@ -24,8 +24,8 @@ struct SensedPair {
 /// The prefilter relies on this criterion: lattice/sensing_limits bounds it by the strains of edges.
 [[nodiscard]] bool triggers(const Network& network, const State& state, LocalDuplet d);
 
-/// on: evaluate only the sensors of Engine::may_trigger, or those that Engine::opening_faces finds loaded. off: evaluate
-/// all. Both give the same duplets.
+/// on: evaluate only the sensors of Engine::may_trigger, or those that Engine::opening_faces finds loaded. off:
+/// evaluate all. Both give the same duplets.
 enum class Prefilter : std::uint8_t { on, off };
 
 /// The duplets whose sensors trigger at the current state, ascending, each once; with sensors `stress`, all active

@@ -19,10 +19,10 @@ Matrix matrix(const SymmetricTensor& t) {
 /// the axes v alike.
 void rotate(Matrix& m, Matrix& v, std::size_t p, std::size_t q) {
     const double twice = 2 * m[p][q];
-    if (twice == 0) {
+    // A rotation by less than 1e-18 changes no digit.
+    if (std::abs(twice) <= 1e-18 * std::abs(m[q][q] - m[p][p])) {
         return;
     }
-    // A very small element makes theta infinite and t zero.
     const double theta = (m[q][q] - m[p][p]) / twice;
     const double root = std::sqrt(theta * theta + 1);
     const double t = theta >= 0 ? 1 / (theta + root) : 1 / (theta - root);
@@ -63,6 +63,16 @@ SymmetricTensor mean(const SymmetricTensor& a, const SymmetricTensor& b) {
         m[i] = (a[i] + b[i]) / 2;
     }
     return m;
+}
+
+/// A bound of the largest eigenvalue without its computation: the mean plus sqrt(2/3) times the norm of the deviator.
+double bound_of_largest(const SymmetricTensor& t) {
+    const double mean = (t[0] + t[1] + t[2]) / 3;
+    const double x = t[0] - mean;
+    const double y = t[1] - mean;
+    const double z = t[2] - mean;
+    const double norm = (x * x + y * y + z * z) + 2 * (t[3] * t[3] + t[4] * t[4] + t[5] * t[5]);
+    return mean + std::sqrt(2 * norm / 3);
 }
 
 }  // namespace
@@ -109,9 +119,16 @@ bool opens(const SymmetricTensor& a, const SymmetricTensor& b, int axis, double 
     if (!(largest > 0)) {
         return false;
     }
-    const double lambda = 0.75 * largest + 0.25 * std::min(eigenpairs(a).largest(), eigenpairs(b).largest());
     const std::array<double, 3> weight = tensile_weights(pairs);
-    return lambda * weight[static_cast<std::size_t>(axis)] > threshold * std::ranges::max(weight);
+    const auto is_enough = [&](double smaller) {
+        const double lambda = 0.75 * largest + 0.25 * smaller;
+        return lambda * weight[static_cast<std::size_t>(axis)] > threshold * std::ranges::max(weight);
+    };
+    // Most loaded faces are closed because another axis faces the stress better.
+    if (!is_enough((1 + 1e-12) * std::min(std::abs(bound_of_largest(a)), std::abs(bound_of_largest(b))))) {
+        return false;
+    }
+    return is_enough(std::min(eigenpairs(a).largest(), eigenpairs(b).largest()));
 }
 
 }  // namespace cracksim::physics

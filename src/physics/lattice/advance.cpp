@@ -192,8 +192,8 @@ void Advancer::correct(std::size_t row, unsigned met) {
     for_each_received(row, met, [&](LocalUnion, Vec3 increment) { correct_received(*before++, increment); });
 }
 
-/// Replaces the held components by the prescribed ones and adds the work of the support's force on the union, and what the
-/// support changes in F.w.
+/// Replaces the held components by the prescribed ones and adds the work of the support's force on the union, and what
+/// the support changes in F.w.
 void Advancer::correct_held(const Before& before) {
     const double time = (static_cast<double>(state_->step) + 0.5) * state_->step_size;
     const Vec3 free = state_->increment(before.local_union);

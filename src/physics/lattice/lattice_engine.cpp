@@ -57,11 +57,16 @@ std::vector<LocalDuplet> LatticeEngine::may_trigger(const State& state) {
 
 std::vector<std::int32_t> LatticeEngine::opening_faces(const State& state) {
     return faces_that_open(*network_, loaded_.find(*network_, state, caches_.rows.pooled),
-                           [&](LocalEntity e) { return stress(state, e); });
+                           [&](std::span<const LocalEntity> entities) { return stresses(state, entities); });
 }
 
-SymmetricTensor LatticeEngine::stress(const State& state, LocalEntity e) const {
-    return interaction_stress(network_->model(), state.corner_displacements(e));
+std::vector<SymmetricTensor> LatticeEngine::stresses(const State& state, std::span<const LocalEntity> entities) const {
+    std::vector<SymmetricTensor> found;
+    found.reserve(entities.size());
+    for (const LocalEntity e : entities) {
+        found.push_back(interaction_stress(network_->model(), state.corner_displacements(e)));
+    }
+    return found;
 }
 
 std::size_t LatticeEngine::memory_bytes() const {

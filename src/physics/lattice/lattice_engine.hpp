@@ -24,7 +24,8 @@ public:
     void changed(State& state, std::span<const VertexSite> reparted, std::span<const VertexSite> weakened) override;
     [[nodiscard]] std::vector<LocalDuplet> may_trigger(const State& state) override;
     [[nodiscard]] std::vector<std::int32_t> opening_faces(const State& state) override;
-    [[nodiscard]] SymmetricTensor stress(const State& state, LocalEntity e) const override;
+    [[nodiscard]] std::vector<SymmetricTensor> stresses(const State& state,
+                                                        std::span<const LocalEntity> entities) const override;
     [[nodiscard]] UnionSums sums(const State& state) const override;
     [[nodiscard]] std::size_t memory_bytes() const override;
 

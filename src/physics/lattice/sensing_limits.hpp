@@ -24,8 +24,8 @@ void set_sensing_limits(const Network& network, const State& state, const Shared
                         int axis, EdgeLimits& limits);
 
 /// Calls action(duplet, end, entity) for the active duplets whose sensors reach over an edge; `here` is one copy of the
-/// edge, that of one entity. These are the duplets at the lower end (0) and then at the upper end (1) of each copy merged
-/// with it, across the face normal to the edge. entity: that of the copy.
+/// edge, that of one entity. These are the duplets at the lower end (0) and then at the upper end (1) of each copy
+/// merged with it, across the face normal to the edge. entity: that of the copy.
 void for_each_sensor(const Network& network, const State& state, const EdgeCopies& copies, const EdgeCopy& here,
                      auto&& action) {
     const int axis = here.edge / HexahedronPairs::edges_per_axis;

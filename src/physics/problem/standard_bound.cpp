@@ -147,10 +147,26 @@ double shortest_edge(const StandardEntity& entity) { return std::min({entity.edg
 /// The metric is at least 6 L^2 |dV|^2 with the shortest edge L.
 double mean_metric(const StandardEntity& entity) { return 6 * shortest_edge(entity) * shortest_edge(entity); }
 
+/// Bounds the Hessian H of the mean energy: 3 V times this times sum (L_i/L)^2 |dV_i|^2. Beside all of H <= h: a change
+/// along the shortest edge alone has rank one, H_xx <= h1; the rest has metric r = (second edge/L)^2. H_xy^2 is at most
+/// (h - H_xx)(h - H_yy), so (lambda - h1)(lambda r + below) = (h - h1)(h + below) with H >= -below suffices.
+double mean_stiffness(const StandardEntity& entity) {
+    const double all = interpolate(mean_stiffness_rays, entity.bulk, entity.shear);
+    const double rank_one = std::min(all, interpolate(rank_one_stiffness_rays, entity.bulk, entity.shear));
+    std::array<double, 3> edges{entity.edge.x, entity.edge.y, entity.edge.z};
+    std::ranges::sort(edges);
+    const double r = edges[1] * edges[1] / (edges[0] * edges[0]);
+    const double below = 4.5 * entity.bulk + most_negative_shape * entity.shear;
+    const double sum = rank_one - below / r;
+    const double difference = rank_one + below / r;
+    const double root = (sum + std::sqrt(difference * difference + 4 * (all - rank_one) * (all + below) / r)) / 2;
+    return std::min(all, std::max(root, all / r));
+}
+
 /// The smallest lambda with (6 L^2 lambda - mean, (8 lambda - 2 p_P)/c_P/row_P) >= 2 K (alpha, gamma) for every P and a
 /// mixture of the corners: the largest of linear conditions.
 double stiffness_of_rows(const StandardEntity& entity, const std::array<double, 4>& row) {
-    const double mean = 3 * entity.volume * interpolate(mean_stiffness_rays, entity.bulk, entity.shear);
+    const double mean = 3 * entity.volume * mean_stiffness(entity);
     const double twice = 2 * largest_of_rank_one(scaled(form(entity, 1), row, {1, 1, 1}));
     const double metric = mean_metric(entity);
     double found = (mean + twice * hourglass_corners.front()[0]) / metric;

@@ -14,7 +14,7 @@ struct Solid {
     double poisson;  ///< nu
     double density;  ///< rho, kg/m3
     double
-        damping_time;  ///< beta, s: the viscous stress at rest is beta times the stress that the strain rate would cause
+        damping_time;  ///< beta, s: at rest the viscous stress is beta times the stress of the strain rate
 };
 
 /// The range of Poisson's ratio in which the energy of the standard entity is positive for every deformation.
@@ -36,7 +36,8 @@ struct StandardEntity {
     std::array<double, 4> isotropic;
     /// A_i = 2/3 E/(1 - nu^2) V/L_i^2, N/m: bending with strain along axis i.
     std::array<double, 3> bending;
-    /// b = nu sqrt(A_i A_P), N/m, by the axis that is neither i nor P: coupling of two bendings of a plate normal to it.
+    /// b = nu sqrt(A_i A_P), N/m, by the axis that is neither i nor P: coupling of two bendings of a plate normal to
+    /// it.
     std::array<double, 3> coupling;
     /// W_PQ, N/m: warping, for which the twist of plates and the torsion of bars of one entity are exact. None for a
     /// cube, whose warping is isotropic: W = p I. Plates twist exactly there, bars one entity thick are too stiff.

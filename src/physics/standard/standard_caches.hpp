@@ -30,7 +30,7 @@ public:
     [[nodiscard]] std::uint8_t* stored() { return stored_.data(); }
     [[nodiscard]] BatchStress* by_batch() { return by_batch_.get(); }
     [[nodiscard]] bool is_stored(std::size_t site) const {
-        return (stored_[site / Lattice::lanes] >> site % Lattice::lanes & 1U) != 0;
+        return (unsigned{stored_[site / Lattice::lanes]} >> site % Lattice::lanes & 1U) != 0;
     }
     [[nodiscard]] SymmetricTensor of(std::size_t site) const {
         const BatchStress& batch = by_batch_[site / Lattice::lanes];

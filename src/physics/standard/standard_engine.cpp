@@ -64,12 +64,13 @@ std::vector<LocalDuplet> StandardEngine::may_trigger(const State& state) {
 }
 
 // The stress that decides about a face is at most the mean of the largest stresses of its two entities
-// (fracture/stress_sensor.hpp), so a face opens only if one of them is above the face's threshold: that entity is marked.
+// (fracture/stress_sensor.hpp), so a face opens only if one of them is above the face's threshold: that entity is
+// marked.
 std::vector<std::int32_t> StandardEngine::opening_faces(const State& state) {
     std::vector<std::int32_t> found;
     std::vector<std::int32_t> unknown;  // faces with an entity whose stress is not stored
     const auto is_marked = [&](std::size_t site) {
-        return (caches_.stretched[site / Lattice::lanes] >> site % Lattice::lanes & 1U) != 0;
+        return (unsigned{caches_.stretched[site / Lattice::lanes]} >> site % Lattice::lanes & 1U) != 0;
     };
     for_each_marked(state.lattice(), caches_.stretched, [&](std::size_t site, LocalEntity e) {
         for (int side = 0; side < Hexahedron::faces; ++side) {
@@ -91,14 +92,16 @@ std::vector<std::int32_t> StandardEngine::opening_faces(const State& state) {
             }
         }
     });
-    const auto others = faces_that_open(*network_, std::move(unknown), [&](LocalEntity e) { return stress(state, e); });
+    const auto others = faces_that_open(*network_, std::move(unknown), [&](std::span<const LocalEntity> entities) {
+        return stresses(state, entities);
+    });
     found.insert(found.end(), others.begin(), others.end());
     std::ranges::sort(found);
     return found;
 }
 
-SymmetricTensor StandardEngine::stress(const State& state, LocalEntity e) const {
-    return find_standard_stresses(*network_, state, std::span{&e, 1}).front();
+std::vector<SymmetricTensor> StandardEngine::stresses(const State& state, std::span<const LocalEntity> entities) const {
+    return find_standard_stresses(*network_, state, entities);
 }
 
 UnionSums StandardEngine::sums(const State& state) const { return sum_unions(*network_, state, caches_.rows.foreign); }

@@ -38,7 +38,8 @@ HWY_INLINE V<Real> owned_of(const SweepView<Real>& v, std::size_t site) {
     return multiplicity_of<Real>(multiplicities_of(v, site), SharedEdges::owned_row);
 }
 
-/// Adds an interaction's contribution to SweepView::over_step: with s = q - dw.dw/2, q = dw.d, the drag D and K = k r^3/L0^2,
+/// Adds an interaction's contribution to SweepView::over_step: with q = dw.d, s = q - dw.dw/2, the drag D and
+/// K = k r^3/L0^2,
 ///     multiplicity [q D + (K s^2 + k g dw.dw)/2] - factor q/2 = multiplicity s (D + K s/2) + factor (dw.dw - q)/2.
 template <Sums Which, std::size_t I, class Real>
 CRACKSIM_INLINE void add_over_step(const InteractionConstants<Real>& c, const Ratio<Real>& ratio, V<Real> drag,

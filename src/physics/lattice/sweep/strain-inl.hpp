@@ -49,7 +49,8 @@ HWY_INLINE void clear(Outcome<Real>& outcome) {
 
 /// The interactions of a vector's entities, by number: d = d0 + du; the quadratic strain
 /// |d|^2/L0^2 - 1 = (2 d0 + du).du / L0^2, computed without cancellation; the rate dw.d with the increment that
-/// damping uses; dw.d and dw.dw with the last increment; the multiplicity; and the factor, which times d is the force on the first corner. Only the interactions that are needed are set.
+/// damping uses; dw.d and dw.dw with the last increment; the multiplicity; and the factor, which times d is the force
+/// on the first corner. Only the interactions that are needed are set.
 template <class Real>
 struct Interactions {
     V<Real> distance[3][HexahedronPairs::count];

@@ -9,8 +9,8 @@
 namespace cracksim::physics {
 
 /// The constants of the standard entity (standard_law.hpp) as the kernel uses them. The kernel works with the sums
-/// Y_i = 4 L_i (v_i - e_i) and Y_P = 8 q_P of displacements, and with the sums Z of increments dt x'. Forces are those on
-/// these sums, negative. With alpha_i = 1/(4 L_i), zeta = beta/dt:
+/// Y_i = 4 L_i (v_i - e_i) and Y_P = 8 q_P of displacements, and with the sums Z of increments dt x'. Forces are those
+/// on these sums, negative. With alpha_i = 1/(4 L_i), zeta = beta/dt:
 template <class Real>
 struct StandardConstants {
     std::array<Real, 3> alpha;      ///< alpha_i, 1/m

@@ -31,7 +31,7 @@ struct Ratios {
         std::vector<float> bound(lattice.batches() * Lattice::lanes);
         find_stress_bounds(network.model(), lattice, body.state.motion, body.engine.caches().rows.pooled, bound);
         for (LocalEntity e{0}; e.value() < network.entity_count(); ++e) {
-            const double largest = eigenpairs(body.engine.stress(body.state, e)).largest();
+            const double largest = eigenpairs(body.engine.stresses(body.state, std::span{&e, 1}).front()).largest();
             const double ratio = static_cast<double>(bound[lattice.site(e).index()]) / largest;
             if (largest > least) {
                 lowest = std::min(lowest, ratio);

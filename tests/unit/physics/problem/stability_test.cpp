@@ -2,10 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 #include "support/body.hpp"
+#include "support/network_members.hpp"
+#include "support/random_state.hpp"
 #include "support/serial_network.hpp"
 
 namespace cracksim::physics {
@@ -80,6 +85,75 @@ TEST(StepBound, IsSharpForTheFoldedEntity) {
     // The diagonals are shortened from sqrt(3) to 1 as well, so only the growth over many steps distinguishes the two
     // sides of the bound.
     EXPECT_GT(growth_of_folded_entity(1.3), 1e3 * growth_of_folded_entity(0.9));
+}
+
+double largest_increment(const State& state) {
+    double found = 0;
+    for (const LocalUnion s : state.unions.advanced()) {
+        found = std::max(found, norm(state.increment(s)));
+    }
+    return found;
+}
+
+/// The largest increment of the last fifth of 2,000 steps over that of the first fifth, from a random motion at small
+/// strain; one of `one_in` duplets is inactive (0: none). Ends early if the motion grows beyond small strain.
+double growth(const test::SerialBlock& block, Scheme scheme, double share_of_bound, std::uint64_t one_in) {
+    constexpr double strain = 1e-9;
+    constexpr int fifth = 400;
+    const Network network = block.network();
+    test::StandardBody body{network, scheme, share_of_bound * step_bound(block.model(), scheme).step};
+    SplitStream splits;
+    if (one_in > 0) {
+        body.split(test::drawn_duplets(network, body.state, one_in, 1), splits);
+    }
+    test::shake(body.state, strain, 3);
+    body.forces();
+    double first = 0;
+    double last = 0;
+    for (int step = 0; step < 5 * fifth && last < 1e6 * strain; ++step) {
+        body.advance();
+        const double now = largest_increment(body.state);
+        first = step < fifth ? std::max(first, now) : first;
+        last = step % fifth == 0 ? now : std::max(last, now);
+    }
+    return last / std::min(first, 10 * strain);
+}
+
+void expect_stable(test::SerialBlock block, std::uint64_t one_in) {
+    for (const double poisson : {-0.15, 0.0, 0.25, 0.4}) {
+        for (const double beta : {0.0, 0.2}) {
+            block.solid = Solid{1, poisson, 1, beta};
+            for (const Scheme scheme : {Scheme::cordis, Scheme::ab2}) {
+                EXPECT_LT(growth(block, scheme, 0.999, one_in), beta > 0 ? 1.0 : 2.0)
+                    << "nu " << poisson << ", beta " << beta << ", one in " << one_in;
+            }
+        }
+    }
+}
+
+TEST(StepBoundOfStandardEntities, KeepsOneEntityFromGrowing) {
+    for (const Vec3 edge : {Vec3{1, 1, 1}, Vec3{1, 1, 2}, Vec3{5, 5, 1}}) {
+        expect_stable({.cells = {1, 1, 1}, .edge = edge}, 0);
+    }
+}
+
+TEST(StepBoundOfStandardEntities, KeepsBlocksFromGrowingInAnyStateOfSplits) {
+    for (const std::uint64_t one_in : {0U, 6U, 3U, 1U}) {
+        expect_stable({.cells = {3, 2, 2}}, one_in);
+        expect_stable({.cells = {2, 2, 3}, .edge = {1, 1, 2}}, one_in);
+    }
+}
+
+TEST(StepBoundOfStandardEntities, IsNotFarBelowTheStepAtWhichASplitCubeGrows) {
+    for (const double poisson : {0.25, 0.4}) {
+        for (const double beta : {0.0, 0.2}) {
+            for (const Scheme scheme : {Scheme::cordis, Scheme::ab2}) {
+                test::SerialBlock block{.cells = {1, 1, 1}};
+                block.solid = Solid{1, poisson, 1, beta};
+                EXPECT_GT(growth(block, scheme, 1.3, 0), 1e3) << "nu " << poisson << ", beta " << beta;
+            }
+        }
+    }
 }
 
 }  // namespace
