@@ -17,7 +17,7 @@ namespace {
 
 using io::InputNode;
 
-constexpr MaterialModel default_model = MaterialModel::paper;
+constexpr MaterialModel default_model = MaterialModel::standard;
 constexpr double default_poisson = 0.25;
 
 Vec3 read_edge(const InputNode& node) {

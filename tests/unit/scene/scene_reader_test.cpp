@@ -339,6 +339,12 @@ TEST(ReadScene, TheSensorsFollowTheEntityUnlessTheSceneNamesThem) {
     EXPECT_EQ(read(by_network).sensors.kind, physics::SensorKind::normal);
 }
 
+TEST(ReadScene, AMaterialThatNamesNoModelHasStandardEntities) {
+    const Scene scene = read(replaced(minimal, "model: paper, ", ""));
+    EXPECT_TRUE(scene.has_standard_entities());
+    EXPECT_EQ(scene.sensors.kind, physics::SensorKind::stress);
+}
+
 TEST(ReadScene, StandardEntitiesTakeBoxesAndPoissonRatiosUpToBothEndsOfTheRange) {
     const std::string boxes =
         replaced(replaced(minimal, "model: paper", "model: standard"), "edge: 0.01", "edge: [0.01, 0.02, 0.01]");
