@@ -79,10 +79,11 @@ SensorSettings read_sensors(const InputNode& root, const std::optional<Material>
     const physics::SensorKind kind = read_sensor_kind(root, node, material);
     const MaybeNode threshold = find(node, "threshold");
     const bool calibrated = !threshold && material && material->fracture_energy;
+    const bool standard = material && material->model == MaterialModel::standard;
     if (!threshold && !calibrated) {
         (node ? *node : root)
             .fail(std::string{"nothing says when a duplet lets go; give sensors.threshold (a stretch, .inf: never)"} +
-                  (kind == physics::SensorKind::stress ? "" : " or material.fracture_energy (J/m2)"));
+                  (standard || kind == physics::SensorKind::stress ? "" : " or material.fracture_energy (J/m2)"));
     }
     return {kind,
             calibrated ? io::Expression{calibrated_threshold(*material->fracture_energy, material->young, edge)}

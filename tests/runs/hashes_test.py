@@ -205,7 +205,8 @@ def random_scene(generator):
     return cracking_scene(
         block={"entity": "hexahedron", "cells": cells, "edge": 0.01, "origin": [generator.uniform(-0.1, 0.1), 0, 0]},
         duplets=generator.choice(["corners", "tree"]),
-        material={"young": generator.uniform(5e3, 5e4), "density": 1000, "damping": generator.uniform(0.05, 0.6)},
+        material={"model": "paper", "young": generator.uniform(5e3, 5e4), "density": 1000,
+                  "damping": generator.uniform(0.05, 0.6)},
         sensors={"threshold": generator.uniform(0.005, 0.04),
                  "weibull": {"shape": generator.uniform(3, 15), "seed": generator.randint(0, 2**31)}},
         initial={"velocity": velocity},
