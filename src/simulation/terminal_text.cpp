@@ -29,8 +29,8 @@ std::string range_text(const forecast::Range& range) {
 
 std::string counts_line(const ProblemCounts& n) {
     return grouped(n.entities) + " entities, " + grouped(n.masses) + " masses in " + grouped(n.unions) +
-           " Mass-unions, " + grouped(n.interactions) + " interactions, " + grouped(n.duplets) + " duplets, " +
-           grouped(n.darts) + " darts" +
+           " Mass-unions, " + (n.interactions == 0 ? "" : grouped(n.interactions) + " interactions, ") +
+           grouped(n.duplets) + " duplets, " + grouped(n.darts) + " darts" +
            (n.notched_faces == 0 ? "" : "; notches open " + grouped(n.notched_faces) + " interior faces");
 }
 
