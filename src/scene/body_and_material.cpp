@@ -10,6 +10,7 @@
 #include "io/text_file.hpp"
 #include "scene/calibration.hpp"
 #include "scene/readers.hpp"
+#include "scene/words.hpp"
 
 namespace cracksim::scene {
 
@@ -63,10 +64,8 @@ void check_resolution(const InputNode& node, const Block& block) {
 }
 
 MaterialModel read_model(const InputNode& node) {
-    constexpr std::array<std::pair<std::string_view, MaterialModel>, 2> models{
-        {{"standard", MaterialModel::standard}, {"paper", MaterialModel::paper}}};
     const MaybeNode model = node.find("model");
-    return model ? enumerator(*model, models) : default_model;
+    return model ? enumerator(*model, material_models) : default_model;
 }
 
 std::string edges_text(Vec3 edge) {
@@ -88,7 +87,7 @@ void check_standard_boxes(const InputNode& node, const Block& block) {
 /// Throws InputError if no 16 interactions make the block isotropic with this ratio.
 void check_paper_material(const InputNode& node, const Block& block) {
     const Vec3 edge = block.edge();
-    if (edge.x != edge.y || edge.y != edge.z) {
+    if (!has_equal_components(edge)) {
         node.fail("needs cubes with model: paper, but block.edge is " + edges_text(edge) +
                   ": no 16 interactions make other boxes isotropic; use equal edges, or model: standard");
     }

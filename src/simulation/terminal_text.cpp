@@ -4,6 +4,7 @@
 
 #include "core/text.hpp"
 #include "physics/simd_target.hpp"
+#include "scene/words.hpp"
 #include "simulation/progress.hpp"
 
 namespace cracksim::simulation {
@@ -39,8 +40,7 @@ std::string matter_line(const scene::Scene& scene) {
                                    ? "standard entities (Poisson's ratio " + rounded(scene.material->poisson) + ")"
                                : scene.material ? "the paper's entities (material.model: paper)"
                                                 : "the paper's entities (network)";
-    const bool stress = scene.sensors.kind == physics::SensorKind::stress;
-    return entity + ", sensors " + (stress ? "stress" : "normal");
+    return entity + ", sensors " + scene::word_of(scene.sensors.kind, scene::sensor_kinds);
 }
 
 std::string step_line(const scene::Scene& scene, const scene::CertifiedStep& c) {
