@@ -46,6 +46,7 @@ changed_sources() {
     fi
     { git ls-files -mo --exclude-standard; git diff --name-only --diff-filter=d "$base" HEAD; } |
         sed -E -e 's#^src/physics/lattice/sweep/.*-inl\.hpp$#src/physics/lattice/sweep/row_sweep_double.cpp#' \
+            -e 's#^src/physics/standard/sweep/.*-inl\.hpp$#src/physics/standard/sweep/standard_row_double.cpp#' \
             -e 's#\.hpp$#.cpp#' |
         grep -E '^(src|partition|io)/.*\.cpp$' | awk '!seen[$0]++' | while read -r file; do
             [[ ! -f $file ]] || echo "$file"

@@ -8,7 +8,7 @@ namespace cracksim {
 struct ProblemCounts {
     std::int64_t entities{0};
     std::int64_t masses{0};
-    std::int64_t interactions{0};
+    std::int64_t interactions{0};  ///< of the paper's entities; standard entities have none
     std::int64_t duplets{0};
     std::int64_t unions{0};
     std::int64_t darts{0};

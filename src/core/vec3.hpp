@@ -22,6 +22,7 @@ struct Vec3 {
 [[nodiscard]] constexpr Vec3 cross(Vec3 a, Vec3 b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+[[nodiscard]] constexpr bool has_equal_components(Vec3 a) { return a.x == a.y && a.y == a.z; }
 [[nodiscard]] inline double norm(Vec3 a) { return std::sqrt(dot(a, a)); }
 
 }  // namespace cracksim

@@ -4,10 +4,9 @@
 #include <utility>
 
 #include "core/errors.hpp"
+#include "dynamics/make_engine.hpp"
 #include "partition/halo.hpp"
 #include "physics/fracture/split.hpp"
-#include "physics/lattice/lattice_engine.hpp"
-#include "physics/standard/standard_engine.hpp"
 #include "physics/start.hpp"
 #include "physics/state/hashes.hpp"
 #include "scene/counts.hpp"
@@ -35,13 +34,6 @@ std::int64_t count_owned_unions(const physics::Network& network, const physics::
 std::int64_t count_owned_notched_faces(const physics::Network& network) {
     return std::ranges::count_if(network.notched_faces(),
                                  [&](std::int32_t f) { return network.owned(network.interior_faces()[f].a); });
-}
-
-std::unique_ptr<physics::Engine> make_engine(const physics::Network& network, const physics::State& state) {
-    if (network.model().is_standard()) {
-        return std::make_unique<physics::StandardEngine>(network, state);
-    }
-    return std::make_unique<physics::LatticeEngine>(network, state);
 }
 
 bool has_dashpots(const physics::EntityModel& model) {

@@ -10,6 +10,7 @@
 #include "io/text_file.hpp"
 #include "scene/calibration.hpp"
 #include "scene/readers.hpp"
+#include "scene/words.hpp"
 
 namespace cracksim::scene {
 
@@ -17,7 +18,7 @@ namespace {
 
 using io::InputNode;
 
-constexpr MaterialModel default_model = MaterialModel::paper;
+constexpr MaterialModel default_model = MaterialModel::standard;
 constexpr double default_poisson = 0.25;
 
 Vec3 read_edge(const InputNode& node) {
@@ -63,19 +64,32 @@ void check_resolution(const InputNode& node, const Block& block) {
 }
 
 MaterialModel read_model(const InputNode& node) {
-    constexpr std::array<std::pair<std::string_view, MaterialModel>, 2> models{
-        {{"standard", MaterialModel::standard}, {"paper", MaterialModel::paper}}};
     const MaybeNode model = node.find("model");
-    return model ? enumerator(*model, models) : default_model;
+    return model ? enumerator(*model, material_models) : default_model;
+}
+
+std::string edges_text(Vec3 edge) {
+    return io::exact(edge.x) + " x " + io::exact(edge.y) + " x " + io::exact(edge.z) + " m";
+}
+
+/// Throws InputError for boxes so slender that rounding errors decide whether the energy of an entity is positive.
+void check_standard_boxes(const InputNode& node, const Block& block) {
+    constexpr double most = 1e6;
+    const Vec3 edge = block.edge();
+    if (std::max({edge.x, edge.y, edge.z}) > most * shortest_edge(block)) {
+        node.fail(
+            "takes boxes whose longest edge is at most a million times the shortest with model: standard, but "
+            "block.edge is " +
+            edges_text(edge) + "; use edges that differ less");
+    }
 }
 
 /// Throws InputError if no 16 interactions make the block isotropic with this ratio.
 void check_paper_material(const InputNode& node, const Block& block) {
     const Vec3 edge = block.edge();
-    if (edge.x != edge.y || edge.y != edge.z) {
-        node.fail("needs cubes with model: paper, but block.edge is " + io::exact(edge.x) + " x " + io::exact(edge.y) +
-                  " x " + io::exact(edge.z) +
-                  " m: no 16 interactions make other boxes isotropic; use equal edges, or model: standard");
+    if (!has_equal_components(edge)) {
+        node.fail("needs cubes with model: paper, but block.edge is " + edges_text(edge) +
+                  ": no 16 interactions make other boxes isotropic; use equal edges, or model: standard");
     }
     if (const MaybeNode poisson = node.find("poisson"); poisson && poisson->number() != default_poisson) {
         poisson->fail("must be 0.25 with model: paper, not " + poisson->shown() +
@@ -102,6 +116,8 @@ Material read_material(const InputNode& node, const Block& block) {
     const MaterialModel model = read_model(node);
     if (model == MaterialModel::paper) {
         check_paper_material(node, block);
+    } else {
+        check_standard_boxes(node, block);
     }
     const MaybeNode damping = node.find("damping");
     const MaybeNode energy = node.find("fracture_energy");

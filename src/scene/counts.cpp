@@ -11,7 +11,7 @@ ProblemCounts count_without_notches(const Scene& scene) {
     constexpr std::int64_t darts_per_face = 2 * Hexahedron::face_corners;
     return {block.entity_count(),
             block.mass_count(),
-            block.entity_count() * physics::HexahedronPairs::count,
+            scene.has_standard_entities() ? 0 : block.entity_count() * physics::HexahedronPairs::count,
             scene.duplets == physics::DupletKind::tree ? block.mass_count() - block.vertex_count()
                                                        : block.interior_face_count() * physics::duplets_per_face,
             block.vertex_count(),

@@ -7,6 +7,7 @@
 
 #include "io/number_text.hpp"
 #include "io/text_file.hpp"
+#include "scene/words.hpp"
 
 namespace cracksim::scene {
 
@@ -68,14 +69,14 @@ std::string matter_text(const Scene& scene) {
         return network_text(scene.network, "");
     }
     const Material& material = *scene.material;
-    const bool standard = material.model == MaterialModel::standard;
-    std::string text = std::string{"material:\n  model: "} + (standard ? "standard" : "paper") +
+    std::string text = "material:\n  model: " + word_of(material.model, material_models) +
                        "\n  young: " + yaml(material.young) + "\n  density: " + yaml(material.density) +
                        "\n  poisson: " + yaml(material.poisson) + "\n  damping: " + yaml(material.damping) + "\n";
     if (material.fracture_energy) {
         text += "  fracture_energy: " + yaml(*material.fracture_energy) + "\n";
     }
-    return standard ? text : text + "# This material makes the\n" + network_text(scene.network, "# ");
+    return scene.has_standard_entities() ? text
+                                         : text + "# This material makes the\n" + network_text(scene.network, "# ");
 }
 
 std::string shape_text(const RectangleSettings& r) {
@@ -102,8 +103,7 @@ std::string notches_text(const std::vector<NotchSettings>& notches) {
 }
 
 std::string sensors_text(const SensorSettings& sensors) {
-    std::string text =
-        std::string{"sensors:\n  kind: "} + (sensors.kind == physics::SensorKind::stress ? "stress" : "normal") + "\n";
+    std::string text = "sensors:\n  kind: " + word_of(sensors.kind, sensor_kinds) + "\n";
     text += std::string{sensors.from_fracture_energy ? "  # from material.fracture_energy: " : "  "} +
             "threshold: " + yaml(sensors.threshold) + "\n";
     if (sensors.weibull) {

@@ -30,6 +30,11 @@ struct Material {
     std::optional<double> fracture_energy;  ///< J/m2
 };
 
+/// True for a material of standard entities; false without a material.
+[[nodiscard]] inline bool is_standard(const std::optional<Material>& material) {
+    return material && material->model == MaterialModel::standard;
+}
+
 /// The masses and interactions of every entity.
 struct NetworkSettings {
     double mass;  ///< kg at each corner
@@ -107,7 +112,7 @@ struct Scene {
     Places places;
     std::vector<std::string> warnings;  ///< for the user: input that is valid but probably a mistake
 
-    [[nodiscard]] bool has_standard_entities() const { return material && material->model == MaterialModel::standard; }
+    [[nodiscard]] bool has_standard_entities() const { return is_standard(material); }
 };
 
 [[nodiscard]] inline std::vector<std::string> support_names(const Scene& scene) {

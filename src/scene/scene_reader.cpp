@@ -12,6 +12,7 @@
 #include "scene/notches.hpp"
 #include "scene/readers.hpp"
 #include "scene/warnings.hpp"
+#include "scene/words.hpp"
 
 namespace cracksim::scene {
 
@@ -49,24 +50,20 @@ void check_fracture_energy(const InputNode& root, const std::optional<Material>&
     if (!material || !material->fracture_energy) {
         return;
     }
-    const bool standard = material->model == MaterialModel::standard;
-    if (standard || kind == physics::SensorKind::stress) {
+    if (is_standard(material) || kind == physics::SensorKind::stress) {
         refuse_for_now(root.at("material").at("fracture_energy"),
-                       std::string{"the constant that gives its threshold is not measured for model: "} +
-                           (standard ? "standard" : "paper") +
-                           " with sensors.kind: " + (kind == physics::SensorKind::stress ? "stress" : "normal") +
+                       "the constant that gives its threshold is not measured for model: " +
+                           word_of(material->model, material_models) +
+                           " with sensors.kind: " + word_of(kind, sensor_kinds) +
                            "; give sensors.threshold in its place, or take model: paper with sensors.kind: normal");
     }
 }
 
 physics::SensorKind read_sensor_kind(const InputNode& root, const MaybeNode& sensors,
                                      const std::optional<Material>& material) {
-    constexpr std::array<std::pair<std::string_view, physics::SensorKind>, 2> kinds{
-        {{"normal", physics::SensorKind::normal}, {"stress", physics::SensorKind::stress}}};
     const MaybeNode node = find(sensors, "kind");
-    const bool standard = material && material->model == MaterialModel::standard;
-    const auto by_default = standard ? physics::SensorKind::stress : physics::SensorKind::normal;
-    const physics::SensorKind kind = node ? enumerator(*node, kinds) : by_default;
+    const auto by_default = is_standard(material) ? physics::SensorKind::stress : physics::SensorKind::normal;
+    const physics::SensorKind kind = node ? enumerator(*node, sensor_kinds) : by_default;
     if (node && kind == physics::SensorKind::stress && !material) {
         node->fail("'stress' needs Young's modulus, which network does not give; use material, or take normal");
     }
@@ -82,7 +79,9 @@ SensorSettings read_sensors(const InputNode& root, const std::optional<Material>
     if (!threshold && !calibrated) {
         (node ? *node : root)
             .fail(std::string{"nothing says when a duplet lets go; give sensors.threshold (a stretch, .inf: never)"} +
-                  (kind == physics::SensorKind::stress ? "" : " or material.fracture_energy (J/m2)"));
+                  (is_standard(material) || kind == physics::SensorKind::stress
+                       ? ""
+                       : " or material.fracture_energy (J/m2)"));
     }
     return {kind,
             calibrated ? io::Expression{calibrated_threshold(*material->fracture_energy, material->young, edge)}

@@ -12,12 +12,13 @@ namespace cracksim::scene {
 
 namespace {
 
+/// Only of the paper's entities: one standard entity resists twist.
 void warn_of_thinness(const Scene& scene, std::vector<std::string>& warnings) {
     const auto thin = std::ranges::count(scene.block.cells(), 1);
-    if (thin == 1 || thin == 2) {
-        warnings.push_back(
-            std::string{"block.cells: a "} + (thin == 1 ? "plate" : "bar") +
-            " one entity thick has no stiffness against twist; use 4 entities or more through the thickness");
+    if (!scene.has_standard_entities() && (thin == 1 || thin == 2)) {
+        warnings.push_back(std::string{"block.cells: a "} + (thin == 1 ? "plate" : "bar") +
+                           " one entity thick has no stiffness against twist; use 4 entities or more through the "
+                           "thickness, or material.model: standard");
     }
 }
 

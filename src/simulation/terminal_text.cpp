@@ -5,6 +5,7 @@
 
 #include "core/text.hpp"
 #include "physics/simd_target.hpp"
+#include "scene/words.hpp"
 #include "simulation/progress.hpp"
 
 namespace cracksim::simulation {
@@ -30,8 +31,8 @@ std::string range_text(const forecast::Range& range) {
 
 std::string counts_line(const ProblemCounts& n) {
     return grouped(n.entities) + " entities, " + grouped(n.masses) + " masses in " + grouped(n.unions) +
-           " Mass-unions, " + grouped(n.interactions) + " interactions, " + grouped(n.duplets) + " duplets, " +
-           grouped(n.darts) + " darts" +
+           " Mass-unions, " + (n.interactions == 0 ? "" : grouped(n.interactions) + " interactions, ") +
+           grouped(n.duplets) + " duplets, " + grouped(n.darts) + " darts" +
            (n.notched_faces == 0 ? "" : "; notches open " + grouped(n.notched_faces) + " interior faces");
 }
 
@@ -40,8 +41,7 @@ std::string matter_line(const scene::Scene& scene) {
                                    ? "standard entities (Poisson's ratio " + rounded(scene.material->poisson) + ")"
                                : scene.material ? "the paper's entities (material.model: paper)"
                                                 : "the paper's entities (network)";
-    const bool stress = scene.sensors.kind == physics::SensorKind::stress;
-    return entity + ", sensors " + (stress ? "stress" : "normal");
+    return entity + ", sensors " + scene::word_of(scene.sensors.kind, scene::sensor_kinds);
 }
 
 std::string step_line(const scene::Scene& scene, const scene::CertifiedStep& c) {

@@ -3,12 +3,6 @@
 #include <random>
 
 #include "core/block.hpp"
-#include "physics/fracture/split.hpp"
-#include "physics/lattice/advance.hpp"
-#include "physics/lattice/force_sweep.hpp"
-#include "physics/problem/stability.hpp"
-#include "tests/support/random_state.hpp"
-#include "tests/support/serial_network.hpp"
 
 namespace cracksim::test {
 
@@ -28,27 +22,7 @@ constexpr double flops_of_entity = 2;
 constexpr double flops_of_union = 9;
 constexpr double flops_of_extrapolation = 9;
 
-physics::Network network_of(std::array<std::int64_t, 3> cells) {
-    SerialBlock block;
-    block.cells = cells;
-    return block.network();
-}
-
-double step_of(const physics::Network& network, physics::Scheme scheme) {
-    return physics::automatic_step(network.model(), physics::step_bound(network.model(), scheme));
-}
-
 }  // namespace
-
-DamagedBlock::DamagedBlock(std::array<std::int64_t, 3> cells, physics::Scheme scheme, double share,
-                           physics::Precision precision)
-    : network{network_of(cells)}, body{network, scheme, step_of(network, scheme), precision} {
-    constexpr double slow = 1e-6;
-    shake(body.state, slow, 1);
-    physics::SplitStream splits;
-    body.split(parting_duplets(network, share, 2), splits);
-    body.forces();
-}
 
 std::vector<LocalDuplet> parting_duplets(const physics::Network& network, double share, std::uint64_t seed) {
     const physics::Lattice& lattice = network.lattice();

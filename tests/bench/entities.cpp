@@ -4,14 +4,12 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "physics/fracture/split.hpp"
-#include "physics/problem/stability.hpp"
 #include "tests/bench/damaged_block.hpp"
 #include "tests/support/body.hpp"
-#include "tests/support/random_state.hpp"
 #include "tests/support/serial_network.hpp"
 
 namespace cracksim::test {
@@ -20,47 +18,23 @@ namespace {
 using physics::Precision;
 using physics::Scheme;
 
-constexpr double damping = 0.2;  // beta in a/c0, here 1
-
-SerialBlock block_of(std::array<std::int64_t, 3> cells, bool standard) {
+/// A block of entities that are damped alike: beta = 0.2 a/c0, here 0.2 s.
+SerialBlock block_of(std::array<std::int64_t, 3> cells, const std::optional<physics::Solid>& solid) {
     SerialBlock block;
     block.cells = cells;
-    block.edges = {0.2, damping * 0.2};
-    block.diagonals = {0.3, damping * 0.3};
-    if (standard) {
-        block.solid = physics::Solid{1, 0.25, 1, damping};
-    }
+    block.solid = solid;
     return block;
 }
 
-double step_of(const physics::Network& network) {
-    return physics::automatic_step(network.model(), physics::step_bound(network.model(), Scheme::cordis));
+/// Nanoseconds for each entity and step.
+double measure(auto& block, int steps) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < steps; ++i) {
+        block.body.advance();
+    }
+    const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - start;
+    return spent.count() / steps / block.network.entity_count();
 }
-
-/// A block in slow motion; some of its unions are split.
-template <class BodyOfEntity>
-struct Subject {
-    Subject(std::array<std::int64_t, 3> cells, bool standard, double share, Precision precision)
-        : network{block_of(cells, standard).network()}, body{network, Scheme::cordis, step_of(network), precision} {
-        shake(body.state, 1e-6, 1);
-        physics::SplitStream splits;
-        body.split(parting_duplets(network, share, 2), splits);
-        body.forces();
-    }
-
-    /// Nanoseconds for each entity and step.
-    double measure(int steps) {
-        const auto start = std::chrono::steady_clock::now();
-        for (int i = 0; i < steps; ++i) {
-            body.advance();
-        }
-        const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - start;
-        return spent.count() / steps / network.entity_count();
-    }
-
-    physics::Network network;
-    BodyOfEntity body;
-};
 
 double quantile(std::vector<double> values, double share) {
     std::ranges::sort(values);
@@ -68,14 +42,15 @@ double quantile(std::vector<double> values, double share) {
 }
 
 void compare(std::array<std::int64_t, 3> cells, double share, Precision precision, int turns) {
-    Subject<Body> paper{cells, false, share, precision};
-    Subject<StandardBody> standard{cells, true, share, precision};
+    DamagedBlock paper{block_of(cells, std::nullopt), Scheme::cordis, share, precision};
+    DamagedBlockOf<StandardBody> standard{block_of(cells, physics::Solid{1, 0.25, 1, 0.2}), Scheme::cordis, share,
+                                          precision};
     const int steps = std::max(3, 2'000'000 / paper.network.entity_count());
     std::vector<double> own;
     std::vector<double> ratios;
     for (int turn = 0; turn < turns; ++turn) {
-        const double before = paper.measure(steps);
-        own.push_back(standard.measure(steps));
+        const double before = measure(paper, steps);
+        own.push_back(measure(standard, steps));
         ratios.push_back(own.back() / before);
     }
     const double longer = standard.body.state.step_size / paper.body.state.step_size;

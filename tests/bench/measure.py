@@ -38,7 +38,7 @@ def intact_scene(cells, steps, damping=0.2, **changes):
     wave = f"{2 * 3.14159265358979 / length:.6g}"
     scene = {
         "block": {**BLOCK, "cells": list(cells)},
-        "material": {"young": 1.15e4, "density": 1000, "damping": damping},
+        "material": {"model": "paper", "young": 1.15e4, "density": 1000, "damping": damping},
         "sensors": {"kind": "normal", "threshold": 0.02},
         "initial": {"velocity": [f"0.002*sin({wave}*y)", f"0.002*cos({wave}*x)", f"0.002*sin({wave}*(x+y))"]},
         "time": {"end": STEP * steps, "step": STEP},

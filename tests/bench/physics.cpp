@@ -36,7 +36,9 @@ public:
 
     DamagedBlock& get() {
         if (!block_) {
-            block_.emplace(cells_, scheme_, share_, precision_);
+            SerialBlock block;
+            block.cells = cells_;
+            block_.emplace(block, scheme_, share_, precision_);
         }
         return *block_;
     }

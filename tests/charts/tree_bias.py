@@ -22,7 +22,7 @@ def scene(axis, duplets):
     low[1][axis], high[0][axis] = EDGE / 2, LENGTH - EDGE / 2
     along = lambda value: [value if i == axis else None for i in range(3)]
     return {"block": {"cells": [CELLS] * 3, "edge": EDGE},
-            "material": {"young": 2e4, "density": 1000, "damping": 0.4},
+            "material": {"model": "paper", "young": 2e4, "density": 1000, "damping": 0.4},
             "duplets": duplets,
             "sensors": {"threshold": f"abs({name} - {LENGTH / 2}) < {0.6 * EDGE} ? 0.03 : 0.3"},
             "initial": {"velocity": [v or 0 for v in along(f"2*({name} - {LENGTH / 2})")]},

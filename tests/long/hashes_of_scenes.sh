@@ -56,6 +56,20 @@ done
 for ranks in 1 2 7; do
     compare block build/release/cracksim "$ranks" --set time.precision=single --simd AVX2
 done
+label=", standard entities"
+for ranks in 1 2 3 4 7; do
+    for kind in metis slab; do
+        compare block build/release/cracksim "$ranks" --set material.model=standard --set sensors.kind=stress \
+            --set "partition.kind=$kind"
+    done
+done
+compare block build/release/cracksim 2 --set material.model=standard --set sensors.kind=stress \
+    --set sensors.prefilter=false
+label=", standard entities, single"
+for ranks in 1 2 7; do
+    compare block build/release/cracksim "$ranks" --set material.model=standard --set sensors.kind=stress \
+        --set time.precision=single
+done
 label=", SCALAR"
 for ranks in 1 2 7; do
     compare block build/release/cracksim "$ranks" --simd SCALAR

@@ -149,7 +149,7 @@ std::string random_scene(std::uint64_t seed, const std::string& duplets) {
     const auto rate = [&] { return std::to_string(between(-6, 6)); };
     std::ostringstream text;
     text << "block: {cells: [" << between(1, 12) << ", " << between(2, 10) << ", " << between(1, 8)
-         << "], edge: 0.01}\nmaterial: {young: 2.0e4, density: 1000, damping: 0.2}\nduplets: " << duplets
+         << "], edge: 0.01}\nmaterial: {model: paper, young: 2.0e4, density: 1000, damping: 0.2}\nduplets: " << duplets
          << "\nsensors: {threshold: 0.0" << between(1, 4) << ", weibull: {shape: " << between(2, 6)
          << ", seed: " << between(1, 1000000) << "}}\ninitial: {velocity: ['" << rate() << "*(x-0.04) + " << rate()
          << "*y + sin(" << between(30, 90) << "*z)', '" << between(3, 8) << "*(y-0.04)*(1+x/0.1)', '" << rate()

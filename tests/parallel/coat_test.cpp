@@ -167,7 +167,7 @@ TEST_P(Partitions, LabelsAndCountsAreThoseOfTheWholeBlockInDrawnScenes) {
 TEST_P(Partitions, LabelsAndCountsAreThoseOfTheWholeBlockInALargerOne) {
     const std::string text =
         "block: {cells: [14, 11, 6], edge: 0.01}\n"
-        "material: {young: 2.0e4, density: 1000, damping: 0.2}\n"
+        "material: {model: paper, young: 2.0e4, density: 1000, damping: 0.2}\n"
         "sensors: {threshold: '0.03*(1 - 0.9*max(exp(-1e5*(x-0.04)^2), exp(-1e5*(y-0.05)^2)))', weibull: {shape: 4}}\n"
         "initial: {velocity: ['5*(x-0.07)', '4*(y-0.055)*(1+x/0.1)', '0.8*sin(60*x)*cos(50*y)']}\n"
         "time: {end: 0.08}\ncoat: {rate: 300}\noutput: {rate: 0}\n";

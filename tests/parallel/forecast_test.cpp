@@ -20,10 +20,10 @@ const partition::Communicator& world() {
 
 scene::Scene scene_of(const std::string& cells, const std::string& partition, const std::string& scheme,
                       const std::string& sensors = "threshold: 0.02") {
-    return scene::read_scene("block: {cells: " + cells +
-                                 ", edge: 0.01}\nmaterial: {young: 2.0e4, density: 1000}\nsensors: {" + sensors +
-                                 "}\ntime: {end: 0.01, scheme: " + scheme + "}\npartition: {kind: " + partition + "}\n",
-                             "forecast.yaml", {});
+    return scene::read_scene(
+        "block: {cells: " + cells + ", edge: 0.01}\nmaterial: {model: paper, young: 2.0e4, density: 1000}\nsensors: {" +
+            sensors + "}\ntime: {end: 0.01, scheme: " + scheme + "}\npartition: {kind: " + partition + "}\n",
+        "forecast.yaml", {});
 }
 
 std::array<std::int64_t, 10> counts(const forecast::RankCounts& l) {

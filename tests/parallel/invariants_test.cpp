@@ -26,7 +26,7 @@ const partition::Communicator& world() {
 
 std::string scene_text(const std::string& partition, const std::string& scheme, int seed) {
     return "block: {entity: hexahedron, cells: [10, 9, 5], edge: 0.01}\n"
-           "material: {young: 2.0e4, density: 1000, damping: 0.2}\n"
+           "material: {model: paper, young: 2.0e4, density: 1000, damping: 0.2}\n"
            "sensors: {threshold: '0.03*(1 - 0.9*max(exp(-1e5*(x-0.03)^2), exp(-1e5*(y-0.05)^2)))', weibull: {shape: 4, "
            "seed: " +
            std::to_string(seed) +

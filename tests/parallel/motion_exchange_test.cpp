@@ -25,7 +25,8 @@ const partition::Communicator& world() {
 /// Network and state of this rank's part of a block.
 struct Part {
     explicit Part(const std::string& partition)
-        : scene{scene::read_scene("block: {cells: [9, 6, 5], edge: 0.01}\nmaterial: {young: 2.0e4, density: 1000}\n"
+        : scene{scene::read_scene("block: {cells: [9, 6, 5], edge: 0.01}\n"
+                                  "material: {model: paper, young: 2.0e4, density: 1000}\n"
                                   "sensors: {threshold: 0.02}\ntime: {end: 0.01}\npartition: {kind: " +
                                       partition + "}\n",
                                   "exchange.yaml", {})},

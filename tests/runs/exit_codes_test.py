@@ -9,7 +9,7 @@ from runner import ENVIRONMENT, check, cracking_scene, dataset, last_frame, main
 
 SCENE = """\
 block: {entity: hexahedron, cells: [4, 4, 2], edge: 0.01}
-material: {young: 2.0e4, density: 1000, damping: 0.2}
+material: {model: paper, young: 2.0e4, density: 1000, damping: 0.2}
 sensors:
   kind: normal
   threshold: 0.02

@@ -121,6 +121,25 @@ def stress_sensors(workplace, quick):
                                 "--set", f"sensors.prefilter={prefilter}", ranks=ranks)
 
 
+def standard_entities(workplace, quick):
+    """Cubes and other boxes, whose corners are in the base layer and in the pool."""
+    material = {"model": "standard", "young": 2.0e4, "density": 1000}
+    boxes = {"entity": "hexahedron", "cells": [8, 7, 4], "edge": [0.01, 0.013, 0.008], "origin": [0, 0, 0]}
+    more = ({"material": material}, {"material": {**material, "poisson": 0.35}, "block": boxes, "duplets": "tree"})
+    sensors = {"threshold": 0.02, "weibull": {"shape": 8, "seed": 1}}
+    for changes in more:
+        for precision in ("double", "single"):
+            for scheme in ("cordis",) if quick else ("cordis", "ab2"):
+                what = f"standard entities, {precision}, {scheme}"
+                scene = cracking_scene(sensors=sensors, supports=PULLED,
+                                       time={"end": 0.06, "precision": precision, "scheme": scheme}, **changes)
+                expected = reference(workplace, scene, 100, what)
+                for ranks in (3,) if quick else (1, 2, 3, 4):
+                    for partition, prefilter in (("metis", "true"), ("slab", "false")):
+                        compare(workplace, scene, expected, what, "--audit", "--set", f"partition.kind={partition}",
+                                "--set", f"sensors.prefilter={prefilter}", ranks=ranks)
+
+
 def single_precision(workplace, quick):
     for scheme, more in (("cordis", {}), ("ab2", {"supports": PULLED})):
         scene = cracking_scene(time={"end": 0.06, "scheme": scheme, "precision": "single"}, **more)
@@ -205,7 +224,8 @@ def random_scene(generator):
     return cracking_scene(
         block={"entity": "hexahedron", "cells": cells, "edge": 0.01, "origin": [generator.uniform(-0.1, 0.1), 0, 0]},
         duplets=generator.choice(["corners", "tree"]),
-        material={"young": generator.uniform(5e3, 5e4), "density": 1000, "damping": generator.uniform(0.05, 0.6)},
+        material={"model": "paper", "young": generator.uniform(5e3, 5e4), "density": 1000,
+                  "damping": generator.uniform(0.05, 0.6)},
         sensors={"threshold": generator.uniform(0.005, 0.04),
                  "weibull": {"shape": generator.uniform(3, 15), "seed": generator.randint(0, 2**31)}},
         initial={"velocity": velocity},
@@ -259,8 +279,9 @@ def release_and_second_build_agree(workplace, quick):
 
 
 TESTS = [any_ranks_and_partition, energies_are_the_same_on_any_ranks, hashes_tell_runs_apart, any_rates,
-         prefilter_on_and_off, wide_rows, scheme_ab2_with_supports, single_precision, stress_sensors, every_simd_target,
-         boxes_of_a_network, tree_of_duplets, ranks_without_an_entity, random_scenes, frames_do_not_depend_on_ranks]
+         prefilter_on_and_off, wide_rows, scheme_ab2_with_supports, single_precision, stress_sensors, standard_entities,
+         every_simd_target, boxes_of_a_network, tree_of_duplets, ranks_without_an_entity, random_scenes,
+         frames_do_not_depend_on_ranks]
 if __name__ == "__main__":
     if "CRACKSIM_SECOND_BINARY" in os.environ:
         TESTS.append(release_and_second_build_agree)

@@ -68,8 +68,12 @@ MEANING = [
     Row("infinite origin", "origin: [0, 0, 0]", "origin: [-.inf, 0, 0]",
         ":2:68: block.origin.0: needs a number, not '-.inf'; it must be finite"),
     Row("material on boxes", "edge: 0.01", "edge: [0.01, 0.02, 0.01]",
-        ":3:1: material: needs cubes, but block.edge is 0.01 x 0.02 x 0.01 m: no 16 interactions make other "
-        "boxes isotropic; use equal edges, or `network` in place of `material`"),
+        ":3:1: material: needs cubes with model: paper, but block.edge is 0.01 x 0.02 x 0.01 m: no 16 interactions "
+        "make other boxes isotropic; use equal edges, or model: standard"),
+    Row("standard entities like hairs", "edge: 0.01, origin: [0, 0, 0]}\nmaterial: {model: paper",
+        "edge: [0.01, 10001, 0.01]}\nmaterial: {model: standard",
+        ":3:1: material: takes boxes whose longest edge is at most a million times the shortest with model: standard, "
+        "but block.edge is 0.01 x 10001 x 0.01 m; use edges that differ less"),
     Row("stiffness of a wrong unit", "young: 2.0e4", "young: 1e150",
         ":3:1: material: makes an edge stiffness of 2e+147 N/m, outside of 1e-60 to 1e60; check the units (SI) "
         "here and of block.edge"),

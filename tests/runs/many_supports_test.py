@@ -12,7 +12,7 @@ MOST_BYTES, MOST_SECONDS = 6000, 2e-4  # room for two formulas and a number; a p
 
 
 def scene(supports):
-    return {"block": {"cells": [2, 2, 2], "edge": 0.01}, "material": {"young": 2e4, "density": 1000},
+    return {"block": {"cells": [2, 2, 2], "edge": 0.01}, "material": {"model": "paper", "young": 2e4, "density": 1000},
             "sensors": {"threshold": 0.02}, "time": {"end": 0.001},
             "supports": [{"where": {"box": [[i, i, i], [i + 1, 1e6, 1e6]]}, "velocity": ["0.1*t", f"sin({i}*t)*x", 0]}
                          for i in range(1, supports + 1)]}

@@ -21,7 +21,7 @@ def plate(cells, speed="0.02*min(t/0.02,1)", **changes):
 
     scene = {
         "block": {"cells": [nx, ny, nz], "edge": 0.01},
-        "material": {"young": 1e5, "density": 1000, "damping": 0.5},
+        "material": {"model": "paper", "young": 1e5, "density": 1000, "damping": 0.5},
         "sensors": {"threshold": 0.01},
         "supports": [grip("bottom", -1, 0.001, f"-{speed}"), grip("top", height - 0.001, 1, speed)],
         "time": {"end": 0.1},
@@ -107,7 +107,7 @@ def a_crack_starts_as_from_faces_opened_by_thresholds(workplace, quick):
 
 def fracture_energy_drives_a_crack_from_a_notch(workplace, quick):
     """The uniform threshold of a fracture energy and a notch: the crack stays in the plane of the notch."""
-    material = {"young": 1e5, "density": 1000, "damping": 0.5, "fracture_energy": 0.5}
+    material = {"model": "paper", "young": 1e5, "density": 1000, "damping": 0.5, "fracture_energy": 0.5}
     scene = plate([48, 24, 1], speed="0.005*min(t/0.02,1)", material=material, sensors=None,
                   notches=[rectangle([-1, 0.12, -1], [1.24, 0, 0], [0, 0, 2])], time={"end": 0.4}, coat={"rate": 50},
                   history={"rate": 50})
@@ -133,7 +133,7 @@ def any_ranks_and_partition(workplace, quick):
     for duplets in ("corners", "tree"):
         scene = {
             "block": {"cells": [12, 8, 4], "edge": 0.01},
-            "material": {"young": 2e4, "density": 1000},
+            "material": {"model": "paper", "young": 2e4, "density": 1000},
             "duplets": duplets,
             "notches": notches,
             "sensors": {"threshold": 0.03, "weibull": {"shape": 6}},

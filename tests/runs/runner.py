@@ -37,7 +37,7 @@ def cracking_scene(**changes):
     """
     scene = {
         "block": {"entity": "hexahedron", "cells": [8, 7, 4], "edge": 0.01, "origin": [0, 0, 0]},
-        "material": {"young": 2.0e4, "density": 1000, "damping": 0.2},
+        "material": {"model": "paper", "young": 2.0e4, "density": 1000, "damping": 0.2},
         "sensors": {"kind": "normal", "threshold": 0.02, "weibull": {"shape": 8, "seed": 1}},
         "initial": {"velocity": ["1.2*(x-0.04)/0.04", "0.3*sin(60*x)", "0.8*exp(-2000*((x-0.03)^2+(y-0.04)^2))"]},
         "time": {"end": 0.06},

@@ -36,7 +36,7 @@ BY_NETWORK = {
 }
 BY_MATERIAL = {
     "block": {"cells": [1, 1, 1], "edge": 1},
-    "material": {"young": 1, "density": 1},
+    "material": {"model": "standard", "young": 1, "density": 1},
     "sensors": {"threshold": 1},
     "time": {"end": 1},
 }
@@ -51,6 +51,7 @@ VALUES = [None, True, False, -1, 0, 1, 2, 0.25, 1.5, -0.5, 2147483648, "", "no s
           *([[0, 0, 0], [1, 0, 0], corner, [0, 1, 0]]
             for corner in ([1, 1, 0], [1, 1, 1], [-1, 1, 0], [1, 1], [1, 1, "x"])),
           "tetrahedron", "tree", "rk4", "implicit", "static"]
+MODELS = SCHEMA["properties"]["material"]["properties"]["model"]["enum"]
 # Values whose spelling matters, written as in a file; every key is tested with them too.
 TEXTS = ['"50"', "'1'", '"0.25"', '"1e3"', '"-1"', '"true"', '"null"', '""', ".inf", "-.inf", ".Inf", "-.INF", '".inf"',
          ".nan", "inf", "1e400", "-1e400", '"1e400"', "1e3", "4.0", "+1", "True", "FALSE", "yes", "Null", "~", "0x10",
@@ -62,6 +63,7 @@ ONLY_THE_READER = ("is not a number or an expression", "may depend on x, y, z, b
                    "outside of 1e-60 to 1e60", "the lower corner is above the upper one", "more than can be counted",
                    "there is a notch named", "a million times the block's reach of 1.73 m", "encloses no area",
                    "is not plane", "sides that cross or touch", "lies outside of the block", "has a radius of",
+                   "needs cubes with model: paper", "a million times the shortest",
                    "a threshold is a stretch above 0 (.inf: never), not '-1'", "not '.nan'", "not '0x10'")
 
 
@@ -105,10 +107,18 @@ def own_values(schema):
         yield [item] + [1] * (schema["minItems"] - 1)
 
 
-def scene_of(path, value):
+def models_of(path):
+    """The models of the material with which a key is tested; None: with a network."""
+    if path[0] == "material" or path == ("sensors", "kind"):
+        return MODELS
+    return [*MODELS, None] if path == ("block", "edge") else [None]
+
+
+def scene_of(path, value, model):
     """A scene that is valid except for this value. A notch has only the surface that the path names."""
-    needs_material = path[0] == "material" or path == ("sensors", "kind")
-    scene = copy.deepcopy(BY_MATERIAL if needs_material else BY_NETWORK)
+    scene = copy.deepcopy(BY_MATERIAL if model else BY_NETWORK)
+    if model:
+        scene["material"]["model"] = model
     place = scene
     if path[0] == "notches":
         shape = path[3] if len(path) > 3 else "disc"
@@ -149,9 +159,9 @@ def reader_and_schema_agree(workplace, quick):
     words = [word for _, schema in properties(SCHEMA) for word in schema.get("enum", [])]
     cases = [(path, value) for path, schema in properties(SCHEMA) for value in [*VALUES, *words, *own_values(schema)]]
     cases += [((*section, "no_such_key"), 1) for section in {path[:-1] for path, _ in properties(SCHEMA)}]
-    scenes = [scene_of(path, value) for path, value in cases]
-    check_agreement([(path, json.dumps(value), yaml_text(scene), VALIDATOR.is_valid(scene))
-                     for (path, value), scene in zip(cases, scenes)])
+    scenes = [(path, f"{json.dumps(value)} (model: {model})", scene_of(path, value, model))
+              for path, value in cases for model in models_of(path)]
+    check_agreement([(path, value, yaml_text(scene), VALIDATOR.is_valid(scene)) for path, value, scene in scenes])
 
 
 def reader_and_schema_read_a_spelling_alike(workplace, quick):
@@ -161,15 +171,17 @@ def reader_and_schema_read_a_spelling_alike(workplace, quick):
         lists = [["@", 1, 1], [1, 1, "@"], [["@", 0, 0], [1, 1, 1]], [[0, 0, 0], [1, "@", 1]],
                  [["@", 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 0, 0], [1, 0, 0], [0, 1, "@"]]]
         for shape in ["@", *(lists if "array" in schema.get("type", "") else [])]:
-            text = yaml_text(scene_of(path, shape))
-            cases += [(path, f"{shape} with @ = {spelling}", text.replace('"@"', spelling)) for spelling in TEXTS]
+            for model in models_of(path):
+                text = yaml_text(scene_of(path, shape, model))
+                cases += [(path, f"{shape} with @ = {spelling} (model: {model})", text.replace('"@"', spelling))
+                          for spelling in TEXTS]
     check_agreement([(*case, VALIDATOR.is_valid(parsed(case[2]))) for case in cases])
 
 
 def reader_and_schema_know_the_same_words(workplace, quick):
     del workplace, quick
     found = [(path, schema["enum"]) for path, schema in properties(SCHEMA) if "enum" in schema]
-    scenes = [yaml_text(scene_of(path, "zzzzzzzzzzzz")) for path, _ in found]
+    scenes = [yaml_text(scene_of(path, "zzzzzzzzzzzz", models_of(path)[0])) for path, _ in found]
     for (path, words), answer in zip(found, answers(scenes), strict=True):
         check(re.search(rf"; take (one of )?{', '.join(words)}$", answer),
               f"{'.'.join(path)} has {words}, the reader says {answer}")

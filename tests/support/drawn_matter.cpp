@@ -28,7 +28,7 @@ void draw_material(SceneDraft& draft) {
     draft.scene.mass = density * edge * edge * edge / 8;
     draft.scene.edges = {0.2 * edge * young, 0.2 * edge * young * relaxation};
     draft.scene.diagonals = {0.3 * edge * young, 0.3 * edge * young * relaxation};
-    draft.text << "material: {young: " << number_text(young) << ", density: " << number_text(density)
+    draft.text << "material: {model: paper, young: " << number_text(young) << ", density: " << number_text(density)
                << ", damping: " << number_text(damping);
     // The fracture energy is related to the threshold of `normal` sensors only.
     if (draft.option(0.6, "stress", "normal of a material")) {

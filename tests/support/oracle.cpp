@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "support/oracle_block.hpp"
 #include "support/oracle_standard.hpp"
@@ -24,6 +25,9 @@ public:
         for (std::size_t m = 0; m < mass_count(scene); ++m) {
             rest_.push_back(rest_position(scene, m));
             u_.push_back(evaluate(scene.displacement, rest_[m]));
+        }
+        if (scene.standard) {
+            hourglass_ = find_hourglass(*scene.standard, scene.edge);
         }
         for (const Duplet& duplet : duplets_) {
             threshold_.push_back(threshold(scene, duplet));
@@ -165,7 +169,7 @@ private:
         }
         for (std::size_t e = 0; scene_.standard && e < entity_count(scene_); ++e) {
             const CornerVectors force =
-                standard_forces(*scene_.standard, scene_.edge, of_entity(u_, e), of_entity(velocity, e));
+                standard_forces(*scene_.standard, *hourglass_, scene_.edge, of_entity(u_, e), of_entity(velocity, e));
             std::ranges::copy(force, force_.begin() + static_cast<std::ptrdiff_t>(corners * e));
         }
         std::vector<Vector> force(u_.size());
@@ -201,10 +205,11 @@ private:
 
     const Scene& scene_;
     std::vector<Duplet> duplets_;
-    std::vector<double> threshold_;   ///< by duplet
-    std::vector<double> loads_;       ///< of the faces, at the current step
-    std::vector<bool> active_;        ///< by duplet
-    std::vector<std::size_t> union_;  ///< by mass: the smallest mass of its union
+    std::optional<Hourglass> hourglass_;  ///< of standard entities
+    std::vector<double> threshold_;       ///< by duplet
+    std::vector<double> loads_;           ///< of the faces, at the current step
+    std::vector<bool> active_;            ///< by duplet
+    std::vector<std::size_t> union_;      ///< by mass: the smallest mass of its union
     std::vector<Vector> rest_, u_, w_, w_before_, force_;
     std::int64_t step_{0};
     Outcome outcome_{{}, {}, std::numeric_limits<double>::infinity(), {}, {}, 0, 0};

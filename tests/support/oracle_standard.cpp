@@ -37,63 +37,6 @@ double torsion(double a, double b) {
     return a * b * b * b / 3 * (1 - 192 / std::pow(std::numbers::pi, 5) * b / a * sum);
 }
 
-/// The stiffnesses of the hourglass vectors.
-struct Hourglass {
-    std::array<double, 4> own;  ///< p_P
-    std::array<double, 3> bending;
-    double poisson;
-    Matrix3d warping;
-    std::array<double, 4> weight;  ///< c_P
-};
-
-Hourglass hourglass(const Standard& m, const Vector& edge) {
-    const double mu = shear(m);
-    const double v = volume(edge);
-    const double longest = std::max({edge[0], edge[1], edge[2]});
-    Hourglass h{};
-    h.poisson = m.poisson;
-    h.own.fill(8.0 / 9 * mu * v / (longest * longest));
-    for (std::size_t i = 0; i < 3; ++i) {
-        h.bending[i] = 2.0 / 3 * m.young / (1 - m.poisson * m.poisson) * v / (edge[i] * edge[i]);
-        h.weight[i] = 16 * edge[i] / v;
-    }
-    h.weight[3] = 16 / std::pow(v, 2.0 / 3);
-    h.warping = h.own[0] * Matrix3d::Identity();
-    if (edge[0] == edge[1] && edge[1] == edge[2]) {
-        return h;
-    }
-    Matrix3d twist;
-    std::array<double, 3> t{};
-    std::array<double, 3> tau{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        t[k] = 8.0 / 3 * mu * v * edge[k] * edge[k];
-        tau[k] = 8 * mu * torsion(edge[(k + 1) % 3], edge[(k + 2) % 3]) * edge[k];
-    }
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            const auto k = static_cast<std::size_t>(3 - i - j) % 3;
-            twist(i, j) = i == j ? t[static_cast<std::size_t>(i)]
-                                 : -tau[k] + std::sqrt((t[static_cast<std::size_t>(i)] - tau[k]) *
-                                                       (t[static_cast<std::size_t>(j)] - tau[k]));
-        }
-    }
-    Matrix3d combined;
-    combined << 1, -1, -1, -1, 1, -1, -1, -1, 1;
-    const Matrix3d inverse = combined.inverse();
-    const Matrix3d by_area = inverse.transpose() * twist * inverse;
-    const double least = Eigen::SelfAdjointEigenSolver<Matrix3d>{by_area}.eigenvalues().minCoeff();
-    for (std::size_t p = 0; p < 3; ++p) {
-        const double area = v / edge[p];
-        h.own[p] = std::min(least / (area * area), (1 - m.poisson) / 2 * std::ranges::min(h.bending));
-        for (std::size_t q = 0; q < 3; ++q) {
-            const auto row = static_cast<Eigen::Index>(p);
-            const auto column = static_cast<Eigen::Index>(q);
-            h.warping(row, column) = by_area(row, column) / (area * v / edge[q]);
-        }
-    }
-    return h;
-}
-
 /// The form sum A_i m_Pi^2 + 2 b m_Pi m_iP + m_PP W m_QQ + p_7 m_7i^2 of the amplitudes m(P, i).
 template <class T>
 T form(const Hourglass& h, const Eigen::Matrix<T, 4, 3>& m) {
@@ -165,8 +108,7 @@ T density(const Standard& m, const Matrix<T>& c) {
 }
 
 template <class T>
-T energy(const Standard& matter, const Vector& edge, const Corners<T>& u) {
-    const Hourglass h = hourglass(matter, edge);
+T energy(const Standard& matter, const Hourglass& h, const Vector& edge, const Corners<T>& u) {
     const Modes<T> now = modes(edge, u);
     const Matrix<T> f = Matrix<T>::Identity() + now.gradient;
     const Matrix<T> c = f.transpose() * f;
@@ -187,8 +129,8 @@ T energy(const Standard& matter, const Vector& edge, const Corners<T>& u) {
 }
 
 /// The power of damping at displacements u (fixed).
-Dual power(const Standard& matter, const Vector& edge, const Corners<double>& u, const Corners<Dual>& velocity) {
-    const Hourglass h = hourglass(matter, edge);
+Dual power(const Standard& matter, const Hourglass& h, const Vector& edge, const Corners<double>& u,
+           const Corners<Dual>& velocity) {
     const Modes<double> now = modes(edge, u);
     const Modes<Dual> rate = modes(edge, velocity);
     const Matrix3d f = Matrix3d::Identity() + now.gradient;
@@ -235,12 +177,60 @@ Corners<double> plain(const CornerVectors& at) {
 
 }  // namespace
 
-CornerVectors standard_forces(const Standard& matter, const Vector& edge, const CornerVectors& u,
+Hourglass find_hourglass(const Standard& m, const Vector& edge) {
+    const double mu = shear(m);
+    const double v = volume(edge);
+    const double longest = std::max({edge[0], edge[1], edge[2]});
+    Hourglass h{};
+    h.poisson = m.poisson;
+    h.own.fill(8.0 / 9 * mu * v / (longest * longest));
+    for (std::size_t i = 0; i < 3; ++i) {
+        h.bending[i] = 2.0 / 3 * m.young / (1 - m.poisson * m.poisson) * v / (edge[i] * edge[i]);
+        h.weight[i] = 16 * edge[i] / v;
+    }
+    h.weight[3] = 16 / std::pow(v, 2.0 / 3);
+    h.warping = h.own[0] * Matrix3d::Identity();
+    if (edge[0] == edge[1] && edge[1] == edge[2]) {
+        return h;
+    }
+    Matrix3d twist;
+    std::array<double, 3> t{};
+    std::array<double, 3> tau{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        t[k] = 8.0 / 3 * mu * v * edge[k] * edge[k];
+        tau[k] = 8 * mu * torsion(edge[(k + 1) % 3], edge[(k + 2) % 3]) * edge[k];
+    }
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            const auto k = static_cast<std::size_t>(3 - i - j) % 3;
+            twist(i, j) = i == j ? t[static_cast<std::size_t>(i)]
+                                 : -tau[k] + std::sqrt((t[static_cast<std::size_t>(i)] - tau[k]) *
+                                                       (t[static_cast<std::size_t>(j)] - tau[k]));
+        }
+    }
+    Matrix3d combined;
+    combined << 1, -1, -1, -1, 1, -1, -1, -1, 1;
+    const Matrix3d inverse = combined.inverse();
+    const Matrix3d by_area = inverse.transpose() * twist * inverse;
+    const double least = Eigen::SelfAdjointEigenSolver<Matrix3d>{by_area}.eigenvalues().minCoeff();
+    for (std::size_t p = 0; p < 3; ++p) {
+        const double area = v / edge[p];
+        h.own[p] = std::min(least / (area * area), (1 - m.poisson) / 2 * std::ranges::min(h.bending));
+        for (std::size_t q = 0; q < 3; ++q) {
+            const auto row = static_cast<Eigen::Index>(p);
+            const auto column = static_cast<Eigen::Index>(q);
+            h.warping(row, column) = by_area(row, column) / (area * v / edge[q]);
+        }
+    }
+    return h;
+}
+
+CornerVectors standard_forces(const Standard& matter, const Hourglass& h, const Vector& edge, const CornerVectors& u,
                               const CornerVectors& velocity) {
-    const Eigen::Matrix<double, 24, 1> elastic = energy<Dual>(matter, edge, variables(u)).derivatives();
+    const Eigen::Matrix<double, 24, 1> elastic = energy<Dual>(matter, h, edge, variables(u)).derivatives();
     Eigen::Matrix<double, 24, 1> viscous = Eigen::Matrix<double, 24, 1>::Zero();
     if (matter.relaxation > 0) {
-        viscous = 0.5 * power(matter, edge, plain(u), variables(velocity)).derivatives();
+        viscous = 0.5 * power(matter, h, edge, plain(u), variables(velocity)).derivatives();
     }
     CornerVectors force;
     for (std::size_t i = 0; i < 24; ++i) {

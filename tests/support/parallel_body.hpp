@@ -1,17 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "core/vec3.hpp"
+#include "dynamics/make_engine.hpp"
 #include "dynamics/motion_exchange.hpp"
 #include "dynamics/stopwatch.hpp"
 #include "partition/communicator.hpp"
 #include "partition/decomposition.hpp"
 #include "physics/fracture/sensors.hpp"
 #include "physics/fracture/split.hpp"
-#include "physics/lattice/lattice_engine.hpp"
 #include "physics/problem/network.hpp"
 #include "physics/state/hashes.hpp"
 #include "physics/state/state.hpp"
@@ -34,7 +35,8 @@ public:
         : network_{&network},
           decomposition_{&decomposition},
           state{std::move(start)},
-          engine{network, state},
+          engine_{dynamics::make_engine(network, state)},
+          engine{*engine_},
           exchange_{comm, network, decomposition, state} {
         exchange_.share_parts(network, decomposition, state, engine);
     }
@@ -88,7 +90,12 @@ private:
 
 public:
     physics::State state;
-    physics::LatticeEngine engine;
+
+private:
+    std::unique_ptr<physics::Engine> engine_;
+
+public:
+    physics::Engine& engine;
 
 private:
     dynamics::MotionExchange exchange_;

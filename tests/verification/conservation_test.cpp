@@ -144,8 +144,7 @@ TEST(Energy, OfAnUndampedBlockOscillatesInABandOfSecondOrder) {
         double high = 0;
         const std::size_t splits = run(cracking_block(0.01, 0), Scheme::cordis, expansion(0.01), step_size, 30,
                                        [&](const test::Body& body, const dynamics::EnergyBook& book) {
-                                           const double energy =
-                                               body.engine.sums(body.state).kinetic + book.elastic();
+                                           const double energy = body.engine.sums(body.state).kinetic + book.elastic();
                                            low = std::min(low, energy);
                                            high = std::max(high, energy);
                                        });

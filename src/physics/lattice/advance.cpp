@@ -101,11 +101,7 @@ unsigned Advancer::met_first(std::size_t row, std::size_t cell_row, std::size_t 
 
 void Advancer::advance_layers_of(std::size_t row, unsigned met) {
     remember(row, met);
-    if (state_->motion.precision() == Precision::binary32) {
-        advance_in<float>(row, met);
-    } else {
-        advance_in<double>(row, met);
-    }
+    in_precision(state_->motion.precision(), [&]<class Real>(Real) { advance_in<Real>(row, met); });
     correct(row, met);
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/vec3.hpp"
 #include "physics/engine.hpp"
+#include "physics/lattice/entity_sweep.hpp"
 #include "physics/lattice/row_caches.hpp"
 #include "physics/problem/network.hpp"
 #include "physics/state/state.hpp"
@@ -66,11 +67,12 @@ private:
 };
 
 /// Engine::advance on the lattice. It advances the unions and computes the forces row by row, so that each motion is
-/// read and written once. sweep has sweep_row(row) and found(), as ForceSweep.
-[[nodiscard]] Swept advance_and_sweep(Advancer& advancer, auto& sweep, State& state) {
+/// read and written once.
+template <template <class> class View>
+[[nodiscard]] Swept advance_and_sweep(Advancer& advancer, EntitySweep<View> sweep, State& state) {
     for (std::size_t row = 0; row < state.lattice().cell_rows().size(); ++row) {
         advancer.advance_before(row);
-        sweep.sweep_row(row);
+        sweep.add(row);
     }
     Swept found = sweep.found();
     if (found.over_step) {

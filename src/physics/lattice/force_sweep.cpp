@@ -55,40 +55,19 @@ void find_forces(const Network& network, const State& state, const LatticeCaches
     take_forces(gathered, found);
 }
 
-std::variant<SweepView<double>, SweepView<float>> any_view_of(const Network& network, State& state,
-                                                              LatticeCaches& caches) {
-    if (state.motion.precision() == Precision::binary32) {
-        return view_of<float>(network, state, caches);
-    }
-    return view_of<double>(network, state, caches);
-}
-
 }  // namespace
 
-ForceSweep::ForceSweep(const Network& network, State& state, LatticeCaches& caches, Measure measure)
-    : lattice_{&state.lattice()}, measure_{measure}, view_{any_view_of(network, state, caches)} {}
-
-void ForceSweep::sweep_row(std::size_t row) {
-    const RowView row_view = view_of(lattice_->cell_rows()[row]);
-    std::visit([&](auto& view) { physics::sweep_row(view, row_view, measure_); }, view_);
-}
-
-Swept ForceSweep::found() const {
-    const auto found = [&](const auto& view) {
-        const bool over_step = measure_ == Measure::all;
-        return Swept{view.dissipated, view.elastic, over_step ? std::optional{view.over_step} : std::nullopt, {}};
-    };
-    return std::visit(found, view_);
+ForceSweep force_sweep(const Network& network, State& state, LatticeCaches& caches, Measure measure) {
+    return in_precision(state.motion.precision(), [&]<class Real>(Real) {
+        return ForceSweep{state.lattice(), view_of<Real>(network, state, caches), measure};
+    });
 }
 
 void find_corner_forces(const Network& network, const State& state, const LatticeCaches& caches,
                         std::span<const LocalEntity> entities, std::span<CornerForces> found) {
     CRACKSIM_EXPECT(entities.size() <= Lattice::lanes && found.size() == entities.size());
-    if (state.motion.precision() == Precision::binary32) {
-        find_forces<float>(network, state, caches, entities, found);
-    } else {
-        find_forces<double>(network, state, caches, entities, found);
-    }
+    in_precision(state.motion.precision(),
+                 [&]<class Real>(Real) { find_forces<Real>(network, state, caches, entities, found); });
 }
 
 }  // namespace cracksim::physics

@@ -18,17 +18,12 @@ LatticeEngine::LatticeEngine(const Network& network, const State& state)
 
 Swept LatticeEngine::forces(State& state, Measure measure) {
     state.motion.clear_forces();
-    ForceSweep sweep{*network_, state, caches_, measure};
-    for (std::size_t row = 0; row < state.lattice().cell_rows().size(); ++row) {
-        sweep.sweep_row(row);
-    }
-    return sweep.found();
+    return force_sweep(*network_, state, caches_, measure).add_all();
 }
 
 Swept LatticeEngine::advance(State& state, std::span<const Vec3> received, Measure measure) {
     Advancer advancer{*network_, state, caches_.rows, received, measure};
-    ForceSweep sweep{*network_, state, caches_, measure};
-    return advance_and_sweep(advancer, sweep, state);
+    return advance_and_sweep(advancer, force_sweep(*network_, state, caches_, measure), state);
 }
 
 void LatticeEngine::next_increments(const State& state, std::span<const ListedUnions::Entry> unions,

@@ -48,11 +48,9 @@ void find_next_increments(const Network& network, const State& state, std::span<
     for (std::size_t begin = 0; begin < unions.size(); begin += unions_at_a_time) {
         const std::size_t count = std::min(unions_at_a_time, unions.size() - begin);
         const auto some = unions.subspan(begin, count);
-        if (state.motion.precision() == Precision::binary32) {
-            find_some_increments<float>(state, some, found.subspan(3 * begin, 3 * count));
-        } else {
-            find_some_increments<double>(state, some, found.subspan(3 * begin, 3 * count));
-        }
+        in_precision(state.motion.precision(), [&]<class Real>(Real) {
+            find_some_increments<Real>(state, some, found.subspan(3 * begin, 3 * count));
+        });
     }
     for (std::size_t i = 0; !state.held.empty() && i < unions.size(); ++i) {
         const std::span<double> next = found.subspan(3 * i, 3);

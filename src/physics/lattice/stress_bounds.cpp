@@ -196,11 +196,8 @@ void find_bounds_in(const EntityModel& model, const Lattice& lattice, const Moti
 
 void find_stress_bounds(const EntityModel& model, const Lattice& lattice, const Motion& motion,
                         const PooledHalves& pooled, std::span<float> bound) {
-    if (motion.precision() == Precision::binary64) {
-        find_bounds_in<double>(model, lattice, motion, pooled, bound);
-    } else {
-        find_bounds_in<float>(model, lattice, motion, pooled, bound);
-    }
+    in_precision(motion.precision(),
+                 [&]<class Real>(Real) { find_bounds_in<Real>(model, lattice, motion, pooled, bound); });
 }
 
 }  // namespace cracksim::physics

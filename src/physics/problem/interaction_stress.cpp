@@ -25,10 +25,9 @@ double stretch(double strain) { return strain / (std::sqrt(std::max(1 + strain, 
 }  // namespace
 
 bool is_calibrated(const EntityModel& model) {
-    const Vec3 edge = model.rest_corner[6];
     const double ratio =
         model.paper().interaction[HexahedronPairs::edges].stiffness / model.paper().interaction[0].stiffness;
-    return edge.x == edge.y && edge.y == edge.z && std::abs(ratio - 1.5) < 1e-9;
+    return has_equal_components(model.edge()) && std::abs(ratio - 1.5) < 1e-9;
 }
 
 SymmetricTensor interaction_stress(const EntityModel& model, const CornerDisplacements& u) {

@@ -11,8 +11,6 @@ namespace {
 
 using Matrix = Eigen::Matrix3d;
 
-bool is_cube(Vec3 edge) { return edge.x == edge.y && edge.y == edge.z; }
-
 /// The two axes beside an axis.
 constexpr std::array<std::array<int, 2>, 3> others{{{1, 2}, {2, 0}, {0, 1}}};
 
@@ -83,7 +81,7 @@ StandardEntity::StandardEntity(const Solid& s, Vec3 box)
     }
     isotropic.fill(8.0 / 9.0 * shear * volume / (longest * longest));
     bound_weight[3] = 16 / (mean * mean);
-    if (!is_cube(edge)) {
+    if (!has_equal_components(edge)) {
         set_warping(*this);
     }
 }

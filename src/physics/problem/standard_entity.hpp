@@ -10,11 +10,10 @@ namespace cracksim::physics {
 
 /// An isotropic, linearly viscous solid.
 struct Solid {
-    double young;    ///< E, Pa
-    double poisson;  ///< nu
-    double density;  ///< rho, kg/m3
-    double
-        damping_time;  ///< beta, s: at rest the viscous stress is beta times the stress of the strain rate
+    double young;         ///< E, Pa
+    double poisson;       ///< nu
+    double density;       ///< rho, kg/m3
+    double damping_time;  ///< beta, s: at rest the viscous stress is beta times the stress of the strain rate
 };
 
 /// The range of Poisson's ratio in which the energy of the standard entity is positive for every deformation.

@@ -33,12 +33,7 @@ public:
         return (unsigned{stored_[site / Lattice::lanes]} >> site % Lattice::lanes & 1U) != 0;
     }
     [[nodiscard]] SymmetricTensor of(std::size_t site) const {
-        const BatchStress& batch = by_batch_[site / Lattice::lanes];
-        SymmetricTensor found;
-        for (std::size_t c = 0; c < found.size(); ++c) {
-            found[c] = batch.component[c][site % Lattice::lanes];
-        }
-        return found;
+        return by_batch_[site / Lattice::lanes].of(site % Lattice::lanes);
     }
     [[nodiscard]] std::size_t memory_bytes() const {
         return stored_.size() +

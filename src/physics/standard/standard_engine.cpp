@@ -28,17 +28,12 @@ void for_each_marked(const Lattice& lattice, std::span<const std::uint8_t> marke
 
 Swept StandardEngine::forces(State& state, Measure measure) {
     state.motion.clear_forces();
-    StandardSweep sweep{*network_, state, caches_, measure};
-    for (std::size_t row = 0; row < state.lattice().cell_rows().size(); ++row) {
-        sweep.sweep_row(row);
-    }
-    return sweep.found();
+    return standard_sweep(*network_, state, caches_, measure).add_all();
 }
 
 Swept StandardEngine::advance(State& state, std::span<const Vec3> received, Measure measure) {
     Advancer advancer{*network_, state, caches_.rows, received, measure};
-    StandardSweep sweep{*network_, state, caches_, measure};
-    return advance_and_sweep(advancer, sweep, state);
+    return advance_and_sweep(advancer, standard_sweep(*network_, state, caches_, measure), state);
 }
 
 void StandardEngine::next_increments(const State& state, std::span<const ListedUnions::Entry> unions,

@@ -75,14 +75,6 @@ StandardView<Real> view_of(const Network& network, State& state, StandardCaches&
     return v;
 }
 
-std::variant<StandardView<double>, StandardView<float>> any_view_of(const Network& network, State& state,
-                                                                    StandardCaches& caches) {
-    if (state.motion.precision() == Precision::binary32) {
-        return view_of<float>(network, state, caches);
-    }
-    return view_of<double>(network, state, caches);
-}
-
 template <class Real>
 void find_forces(const Network& network, const State& state, std::span<const LocalEntity> entities,
                  std::span<CornerForces> found) {
@@ -91,38 +83,19 @@ void find_forces(const Network& network, const State& state, std::span<const Loc
     take_forces(gathered, found);
 }
 
-template <class Real>
-void find_stresses(const Network& network, const State& state, std::span<const LocalEntity> entities,
-                   BatchStress& found) {
-    find_standard_stresses(inputs_of<Real>(network, state), gather<Real>(state, entities), found);
-}
-
 }  // namespace
 
-StandardSweep::StandardSweep(const Network& network, State& state, StandardCaches& caches, Measure measure)
-    : lattice_{&state.lattice()}, measure_{measure}, view_{any_view_of(network, state, caches)} {}
-
-void StandardSweep::sweep_row(std::size_t row) {
-    const RowView row_view = view_of(lattice_->cell_rows()[row]);
-    std::visit([&](auto& view) { sweep_standard_row(view, row_view, measure_); }, view_);
-}
-
-Swept StandardSweep::found() const {
-    const auto found = [&](const auto& view) {
-        const bool over_step = measure_ == Measure::all && finds_over_step(view);
-        return Swept{view.dissipated, view.elastic, over_step ? std::optional{view.over_step} : std::nullopt, {}};
-    };
-    return std::visit(found, view_);
+StandardSweep standard_sweep(const Network& network, State& state, StandardCaches& caches, Measure measure) {
+    return in_precision(state.motion.precision(), [&]<class Real>(Real) {
+        return StandardSweep{state.lattice(), view_of<Real>(network, state, caches), measure};
+    });
 }
 
 void find_standard_corner_forces(const Network& network, const State& state, std::span<const LocalEntity> entities,
                                  std::span<CornerForces> found) {
     CRACKSIM_EXPECT(entities.size() <= Lattice::lanes && found.size() == entities.size());
-    if (state.motion.precision() == Precision::binary32) {
-        find_forces<float>(network, state, entities, found);
-    } else {
-        find_forces<double>(network, state, entities, found);
-    }
+    in_precision(state.motion.precision(),
+                 [&]<class Real>(Real) { find_forces<Real>(network, state, entities, found); });
 }
 
 std::vector<SymmetricTensor> find_standard_stresses(const Network& network, const State& state,
@@ -131,15 +104,11 @@ std::vector<SymmetricTensor> find_standard_stresses(const Network& network, cons
     for (std::size_t first = 0; first < entities.size(); first += Lattice::lanes) {
         const auto some = entities.subspan(first, std::min<std::size_t>(Lattice::lanes, entities.size() - first));
         BatchStress stresses;
-        if (state.motion.precision() == Precision::binary32) {
-            find_stresses<float>(network, state, some, stresses);
-        } else {
-            find_stresses<double>(network, state, some, stresses);
-        }
+        in_precision(state.motion.precision(), [&]<class Real>(Real) {
+            find_standard_stresses(inputs_of<Real>(network, state), gather<Real>(state, some), stresses);
+        });
         for (std::size_t lane = 0; lane < some.size(); ++lane) {
-            for (std::size_t c = 0; c < found[first + lane].size(); ++c) {
-                found[first + lane][c] = stresses.component[c][lane];
-            }
+            found[first + lane] = stresses.of(lane);
         }
     }
     return found;

@@ -32,6 +32,11 @@ constexpr int base_layer = 6;
 /// are in double.
 enum class Precision { binary64, binary32 };
 
+/// Calls action(Real{}) with the type of the motion's numbers and returns what it returns.
+auto in_precision(Precision precision, auto&& action) {
+    return precision == Precision::binary32 ? action(float{}) : action(double{});
+}
+
 /// The quantities of a union, each by the index of its first component: u (m), w (m), the force on the union (N),
 /// dt^2/M (s^2/kg), and for ab2 the extrapolated increment that damping uses instead of w (m).
 struct Quantity {

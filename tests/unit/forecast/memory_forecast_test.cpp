@@ -12,7 +12,7 @@ namespace {
 scene::Scene scene(const std::vector<std::string>& settings) {
     return scene::read_scene(
         "block: {cells: [100, 100, 100], edge: 0.1}\n"
-        "material: {young: 1e6, density: 1000}\n"
+        "material: {model: paper, young: 1e6, density: 1000}\n"
         "sensors: {threshold: 0.02}\n"
         "time: {end: 1}\n",
         "a.yaml", settings);

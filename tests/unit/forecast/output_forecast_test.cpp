@@ -11,7 +11,7 @@ namespace {
 OutputForecast forecast(const std::vector<std::string>& settings) {
     const scene::Scene scene = scene::read_scene(
         "block: {cells: [4, 3, 2], edge: 0.1}\n"
-        "material: {young: 1e6, density: 1000}\n"
+        "material: {model: paper, young: 1e6, density: 1000}\n"
         "sensors: {threshold: 0.02}\n"
         "time: {end: 1, step: 1e-3}\n",
         "a.yaml", settings);

@@ -10,13 +10,19 @@ namespace {
 const std::string by_material =
     "title: \"quotes \\\" and \\\\\"\n"
     "block: {cells: [3, 4, 5], edge: 0.1, origin: [0.1, -1e-7, 3]}\n"
-    "material: {young: 2.1e11, density: 7850, damping: 0.3, fracture_energy: 100}\n"
+    "material: {model: paper, young: 2.1e11, density: 7850, damping: 0.3, fracture_energy: 100}\n"
     "time: {end: 0.3333333333333333}\n";
 
 const std::string by_stress =
     "block: {cells: [3, 4, 5], edge: 0.1}\n"
-    "material: {young: 1, density: 1}\n"
+    "material: {model: paper, young: 1, density: 1}\n"
     "sensors: {kind: stress, threshold: 0.1}\n"
+    "time: {end: 1}\n";
+
+const std::string by_standard =
+    "block: {cells: [3, 4, 5], edge: [1, 2, 1]}\n"
+    "material: {model: standard, young: 1, density: 1, poisson: 0.3, damping: 0.1}\n"
+    "sensors: {threshold: 0.1}\n"
     "time: {end: 1}\n";
 
 const std::string by_network =
@@ -42,6 +48,12 @@ void expect_same(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.block.cells(), b.block.cells());
     EXPECT_EQ(a.block.edge(), b.block.edge());
     EXPECT_EQ(a.block.origin(), b.block.origin());
+    ASSERT_EQ(a.material.has_value(), b.material.has_value());
+    if (a.material) {
+        EXPECT_EQ(a.material->model, b.material->model);
+        EXPECT_EQ(a.material->poisson, b.material->poisson);
+        EXPECT_EQ(a.material->damping, b.material->damping);
+    }
     EXPECT_EQ(a.network.mass, b.network.mass);
     EXPECT_EQ(a.network.edge.viscosity, b.network.edge.viscosity);
     EXPECT_EQ(a.network.diagonal.stiffness, b.network.diagonal.stiffness);
@@ -62,7 +74,7 @@ void expect_same(const Scene& a, const Scene& b) {
 }
 
 TEST(Resolved, ReadsBackAsTheSameScene) {
-    for (const std::string& text : {by_material, by_network, by_stress}) {
+    for (const std::string& text : {by_material, by_network, by_stress, by_standard}) {
         const Scene scene = read(text);
         const std::string once = resolved(scene);
         const Scene again = read(once);
@@ -73,7 +85,7 @@ TEST(Resolved, ReadsBackAsTheSameScene) {
 
 TEST(Resolved, WritesEveryDefault) {
     EXPECT_EQ(resolved(read("block: {cells: [1, 1, 1], edge: 0.5}\n"
-                            "material: {young: 8, density: 2}\n"
+                            "material: {model: paper, young: 8, density: 2}\n"
                             "sensors: {threshold: .inf}\n"
                             "time: {end: 1}\n")),
               "title: \"\"\n"
@@ -83,6 +95,7 @@ TEST(Resolved, WritesEveryDefault) {
               "  edge: [0.5, 0.5, 0.5]\n"
               "  origin: [0, 0, 0]\n"
               "material:\n"
+              "  model: paper\n"
               "  young: 8\n"
               "  density: 2\n"
               "  poisson: 0.25\n"
@@ -112,6 +125,15 @@ TEST(Resolved, WritesEveryDefault) {
               "output: {rate: 50, surface: true, crack: true, masses: false, topology: false}\n"
               "history: {rate: 200}\n"
               "partition: {kind: metis}\n");
+}
+
+TEST(Resolved, NamesTheStandardEntityAndItsSensorsButNoNetwork) {
+    const std::string text = resolved(read(by_standard));
+    EXPECT_NE(text.find("\n  edge: [1, 2, 1]\n"), std::string::npos);
+    EXPECT_NE(text.find("material:\n  model: standard\n  young: 1\n  density: 1\n  poisson: 0.3\n  damping: 0.1\n"
+                        "notches: []\n"),
+              std::string::npos);
+    EXPECT_NE(text.find("sensors:\n  kind: stress\n"), std::string::npos);
 }
 
 TEST(Resolved, ShowsWhatFollowsFromTheFractureEnergyAsAComment) {

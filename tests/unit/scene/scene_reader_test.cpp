@@ -18,7 +18,7 @@ const std::string minimal =
     "block:\n"
     "  cells: [3, 4, 5]\n"
     "  edge: 0.01\n"
-    "material: {young: 2.0e4, density: 1000}\n"
+    "material: {model: paper, young: 2.0e4, density: 1000}\n"
     "sensors: {threshold: 0.02}\n"
     "time: {end: 1.0}\n";
 
@@ -161,6 +161,11 @@ struct Wrong {
 };
 
 TEST(ReadScene, RefusesWrongValues) {
+    const std::string proved = "the energy of the standard entity is proved to be positive there";
+    const std::string not_measured =
+        "--set material.fracture_energy: not available in cracksim 0.1; the constant that gives its threshold is not "
+        "measured for model: ";
+    const std::string instead = "; give sensors.threshold in its place, or take model: paper with sensors.kind: normal";
     const std::vector<Wrong> table{
         {{"block.cels=[1, 1, 1]"}, "--set block.cels: unknown key; did you mean 'cells'?"},
         {{"blok={}"}, "--set blok: unknown key; did you mean 'block'?"},
@@ -182,7 +187,13 @@ TEST(ReadScene, RefusesWrongValues) {
         {{"block.entity=hexaedron"}, "--set block.entity: does not know 'hexaedron'; did you mean 'hexahedron'?"},
         {{"block=5"}, "--set block: needs a map with keys of entity, cells, edge, origin, not '5'"},
         {{"material.poisson=0.3"},
-         "--set material.poisson: must be 0.25, not '0.3': the network of interactions is isotropic only there"},
+         "--set material.poisson: must be 0.25 with model: paper, not '0.3': the network of interactions is isotropic "
+         "only there; use model: standard"},
+        {{"material.model=standard", "material.poisson=-0.2001"},
+         "--set material.poisson: needs a number from -0.2 to 0.49, not '-0.2001': " + proved},
+        {{"material.model=standard", "material.poisson=0.4901"},
+         "--set material.poisson: needs a number from -0.2 to 0.49, not '0.4901': " + proved},
+        {{"material.model=springs"}, "--set material.model: does not know 'springs'; take one of standard, paper"},
         {{"material.young=-1"}, "--set material.young: needs a number above 0 Pa, not '-1'"},
         {{"material.young=.inf"}, "--set material.young: needs a number above 0 Pa, not '.inf'; it must be finite"},
         {{"material.density=heavy"}, "--set material.density: needs a number above 0 kg/m3, not 'heavy'"},
@@ -192,17 +203,18 @@ TEST(ReadScene, RefusesWrongValues) {
          "a.yaml:4:1: material: makes a mass of 1.25e+293 kg, outside of 1e-60 to 1e60; check the units (SI) here "
          "and of block.edge"},
         {{"block.edge=[0.01, 0.01, 0.02]"},
-         "a.yaml:4:1: material: needs cubes, but block.edge is 0.01 x 0.01 x 0.02 m: no 16 interactions make other "
-         "boxes isotropic; use "
-         "equal edges, or `network` in place of `material`"},
+         "a.yaml:4:1: material: needs cubes with model: paper, but block.edge is 0.01 x 0.01 x 0.02 m: no 16 "
+         "interactions make other boxes isotropic; use equal edges, or model: standard"},
         {{"network.mass=1"},
          "--set network.mass: network: material and network exclude each other; remove one of the two"},
         {{"duplets=none"}, "--set duplets: does not know 'none'; take one of corners, tree"},
         {{"sensors.kind=full"}, "--set sensors.kind: does not know 'full'; take one of normal, stress"},
         {{"sensors.kind=stress", "material.fracture_energy=1"},
-         "--set material.fracture_energy: not available in cracksim 0.1; with sensors.kind: stress the constant that "
-         "relates it to a threshold is not measured; give sensors.threshold in its place, or take sensors.kind: "
-         "normal"},
+         not_measured + "paper with sensors.kind: stress" + instead},
+        {{"material.model=standard", "material.fracture_energy=1"},
+         not_measured + "standard with sensors.kind: stress" + instead},
+        {{"material.model=standard", "sensors.kind=normal", "material.fracture_energy=1"},
+         not_measured + "standard with sensors.kind: normal" + instead},
         {{"sensors.threshold=0"}, "--set sensors.threshold: a threshold is a stretch above 0 (.inf: never), not '0'"},
         {{"sensors.threshold=-.inf"},
          "--set sensors.threshold: a threshold is a stretch above 0 (.inf: never), not '-.inf'"},
@@ -273,7 +285,7 @@ TEST(ReadScene, ErrorsInTheFileNameLineAndColumn) {
     EXPECT_EQ(error_of(replaced(minimal, "0.01", "thin")),
               "a.yaml:3:9: block.edge: needs a number above 0 m, not 'thin'");
     EXPECT_EQ(error_of(replaced(minimal, "1000", "-5")),
-              "a.yaml:4:35: material.density: needs a number above 0 kg/m3, not '-5'");
+              "a.yaml:4:49: material.density: needs a number above 0 kg/m3, not '-5'");
     EXPECT_EQ(error_of(replaced(minimal, "end: 1.0", "stop: 1.0")),
               "a.yaml:6:8: time.stop: unknown key; did you mean 'step'?");
     EXPECT_EQ(error_of(minimal + "checkpoint: {every: 600}\n"),
@@ -290,31 +302,68 @@ TEST(ReadScene, NamesWhatIsMissing) {
               "a.yaml:1:1: block: the key 'cells' is missing; add it (inputs/README.md lists what it takes)");
     EXPECT_EQ(error_of(replaced(minimal, "  edge: 0.01\n", "")),
               "a.yaml:1:1: block: the key 'edge' is missing; add it (inputs/README.md lists what it takes)");
-    EXPECT_EQ(error_of(replaced(minimal, "material: {young: 2.0e4, density: 1000}\n", "")),
+    EXPECT_EQ(error_of(replaced(minimal, "material: {model: paper, young: 2.0e4, density: 1000}\n", "")),
               "a.yaml:1:1: neither material nor network is given; add `material: {young: ..., density: ...}`");
     const std::string nothing =
         "nothing says when a duplet lets go; give sensors.threshold (a stretch, .inf: never) or "
         "material.fracture_energy (J/m2)";
     EXPECT_EQ(error_of(replaced(minimal, "sensors: {threshold: 0.02}\n", "")), "a.yaml:1:1: " + nothing);
     EXPECT_EQ(error_of(replaced(minimal, "threshold: 0.02", "kind: normal")), "a.yaml:5:1: sensors: " + nothing);
-    EXPECT_EQ(
-        error_of(replaced(minimal, "threshold: 0.02", "kind: stress")),
-        "a.yaml:5:1: sensors: nothing says when a duplet lets go; give sensors.threshold (a stretch, .inf: never)");
+    const std::string without_energy =
+        "a.yaml:5:1: sensors: nothing says when a duplet lets go; give sensors.threshold (a stretch, .inf: never)";
+    EXPECT_EQ(error_of(replaced(minimal, "threshold: 0.02", "kind: stress")), without_energy);
+    const std::string standard = replaced(minimal, "model: paper", "model: standard");
+    EXPECT_EQ(error_of(replaced(standard, "threshold: 0.02", "kind: normal")), without_energy);
 }
 
 TEST(ReadScene, TakesStressSensorsForAMaterialOnly) {
     const std::string with_stress = replaced(minimal, "threshold: 0.02", "kind: stress, threshold: 0.02");
     EXPECT_EQ(read(with_stress).sensors.kind, physics::SensorKind::stress);
     EXPECT_EQ(
-        error_of(replaced(with_stress, "material: {young: 2.0e4, density: 1000}",
+        error_of(replaced(with_stress, "material: {model: paper, young: 2.0e4, density: 1000}",
                           "network: {mass: 1, edge: {stiffness: 4}, diagonal: {stiffness: 6}}")),
         "a.yaml:5:17: sensors.kind: 'stress' needs Young's modulus, which network does not give; use material, or "
         "take normal");
 }
 
+TEST(ReadScene, TheSensorsFollowTheEntityUnlessTheSceneNamesThem) {
+    const auto kind = [](const std::string& model, const std::vector<std::string>& settings) {
+        return read(replaced(minimal, "model: paper", "model: " + model), settings).sensors.kind;
+    };
+    EXPECT_EQ(kind("standard", {}), physics::SensorKind::stress);
+    EXPECT_EQ(kind("paper", {}), physics::SensorKind::normal);
+    EXPECT_EQ(kind("standard", {"sensors.kind=normal"}), physics::SensorKind::normal);
+    EXPECT_EQ(kind("paper", {"sensors.kind=stress"}), physics::SensorKind::stress);
+    const std::string by_network = replaced(minimal, "material: {model: paper, young: 2.0e4, density: 1000}",
+                                            "network: {mass: 1, edge: {stiffness: 4}, diagonal: {stiffness: 6}}");
+    EXPECT_EQ(read(by_network).sensors.kind, physics::SensorKind::normal);
+}
+
+TEST(ReadScene, AMaterialThatNamesNoModelHasStandardEntities) {
+    const Scene scene = read(replaced(minimal, "model: paper, ", ""));
+    EXPECT_TRUE(scene.has_standard_entities());
+    EXPECT_EQ(scene.sensors.kind, physics::SensorKind::stress);
+}
+
+TEST(ReadScene, StandardEntitiesTakeBoxesAndPoissonRatiosUpToBothEndsOfTheRange) {
+    const std::string boxes =
+        replaced(replaced(minimal, "model: paper", "model: standard"), "edge: 0.01", "edge: [0.01, 0.02, 0.01]");
+    EXPECT_EQ(read(boxes).block.edge(), (Vec3{0.01, 0.02, 0.01}));
+    EXPECT_EQ(read(boxes, {"block.edge=[1e-3, 1e3, 1]"}).block.edge(), (Vec3{1e-3, 1e3, 1}));
+    EXPECT_THROW(read(boxes, {"block.edge=[1e-3, 1001, 1]"}), InputError);
+    EXPECT_EQ(read(boxes).material->model, MaterialModel::standard);
+    EXPECT_EQ(read(boxes).material->poisson, 0.25);
+    EXPECT_EQ(read(boxes, {"material.poisson=-0.2"}).material->poisson, -0.2);
+    EXPECT_EQ(read(boxes, {"material.poisson=0.49"}).material->poisson, 0.49);
+}
+
+TEST(ReadScene, ThePaperTakesItsOwnPoissonRatioByName) {
+    EXPECT_EQ(read(minimal, {"material.poisson=0.25"}).material->poisson, 0.25);
+}
+
 TEST(ReadScene, RefusesWrongNetworks) {
     const std::string with_network =
-        replaced(minimal, "material: {young: 2.0e4, density: 1000}",
+        replaced(minimal, "material: {model: paper, young: 2.0e4, density: 1000}",
                  "network: {mass: 1, edge: {stiffness: 4, viscosity: 0}, diagonal: {stiffness: 6}}");
     const auto error = [&](const std::string& what, const std::string& by) {
         return error_of(replaced(with_network, what, by));

@@ -10,7 +10,7 @@ namespace {
 std::vector<std::string> warnings(const std::vector<std::string>& settings) {
     return read_scene(
                "block: {cells: [10, 10, 4], edge: 0.1}\n"
-               "material: {young: 1e6, density: 1000}\n"
+               "material: {model: paper, young: 1e6, density: 1000}\n"
                "sensors: {threshold: 0.02}\n"
                "time: {end: 1}\n",
                "a.yaml", settings)
@@ -27,10 +27,12 @@ TEST(SceneWarnings, AreSilentOnAnOrdinaryScene) { EXPECT_EQ(warnings({}), Lines{
 
 TEST(SceneWarnings, TellOfPlatesAndBarsWithoutTwistStiffness) {
     const std::string reason =
-        " one entity thick has no stiffness against twist; use 4 entities or more through the thickness";
+        " one entity thick has no stiffness against twist; use 4 entities or more through the thickness, or "
+        "material.model: standard";
     EXPECT_EQ(warnings({"block.cells=[10, 10, 1]"}), Lines{"block.cells: a plate" + reason});
     EXPECT_EQ(warnings({"block.cells=[1, 10, 1]"}), Lines{"block.cells: a bar" + reason});
     EXPECT_EQ(warnings({"block.cells=[1, 1, 1]"}), Lines{});
+    EXPECT_EQ(warnings({"block.cells=[10, 10, 1]", "material.model=standard"}), Lines{});
 }
 
 TEST(SceneWarnings, TellThatStrengthDependsOnTheEdge) {

@@ -129,9 +129,26 @@ HWY_INLINE std::uint8_t lanes_in_base(const MotionView<Real>& v, std::size_t sit
 
 template <class Real>
 HWY_INLINE V3<Real> zero_unless(std::uint8_t lanes, const V3<Real>& v) {
-    const std::uint8_t bits[8] = {lanes};
-    const auto mask = hn::LoadMaskBits(D<Real>{}, bits);
+    const auto mask = mask_of<Real>(lanes);
     return {hn::IfThenElseZero(mask, v.x), hn::IfThenElseZero(mask, v.y), hn::IfThenElseZero(mask, v.z)};
+}
+
+/// The motions of a vector of gathered entities, from the lane on.
+template <class Real>
+CRACKSIM_INLINE void assemble(const GatheredEntities<Real>& entities, std::size_t lane, Assembled<Real>& assembled) {
+    constexpr std::size_t stride = GatheredEntities<Real>::stride;
+    for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
+        store3(load3(entities.displacement[0][c] + lane, stride), assembled.motion[c][0], vector_lanes<Real>);
+        store3(load3(entities.velocity_increment[0][c] + lane, stride), assembled.motion[c][3], vector_lanes<Real>);
+    }
+}
+
+/// Stores the forces on the corners of a vector of gathered entities.
+template <class Real>
+CRACKSIM_INLINE void store(const Forces<Real>& forces, std::size_t lane, GatheredEntities<Real>& entities) {
+    for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
+        store3(forces.f[c], entities.force[0][c] + lane, GatheredEntities<Real>::stride);
+    }
 }
 
 /// Copies the motions of all corners from base layer and pool into one array. WithLast: the last increments too.

@@ -112,14 +112,6 @@ HWY_INLINE bool is_far(const Outcome<Real>& outcome) {
     return HWY_UNLIKELY(!are_within<Real>(outcome.largest, QuadraticStrain::near));
 }
 
-/// The sums over the vectors of a row.
-template <class Real>
-struct RowSums {
-    V<Real> dissipated;
-    V<Real> elastic;
-    V<Real> over_step;
-};
-
 /// Adds the outcome of a vector of entities to the sums, and marks its stretched edges. site: the site of its first
 /// entity. owned: 1 for each entity that this rank owns, else 0.
 template <Sums Which, class Real>

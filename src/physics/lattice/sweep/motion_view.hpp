@@ -34,6 +34,9 @@ struct MotionView {
 /// forces, N.
 template <class Real>
 struct GatheredEntities {
+    /// Distance from one component to the next.
+    static constexpr std::size_t stride = Hexahedron::corners * std::size_t{Lattice::lanes};
+
     Real displacement[3][Hexahedron::corners][Lattice::lanes];
     Real velocity_increment[3][Hexahedron::corners][Lattice::lanes];
     Real force[3][Hexahedron::corners][Lattice::lanes];

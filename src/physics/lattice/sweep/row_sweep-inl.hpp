@@ -76,19 +76,13 @@ void sweep_gathered(const SweepView<Real>& v, GatheredEntities<Real>& entities) 
     std::fill(std::begin(ones), std::end(ones), std::uint8_t{1});
     constexpr Bfloat16 any[EdgeLimits::of_batch] = {};
     const LimitsHere limits{any, std::numeric_limits<float>::infinity()};
-    constexpr std::size_t stride = Hexahedron::corners * Lattice::lanes;
     for (std::size_t lane = 0; lane < Lattice::lanes; lane += hn::Lanes(d)) {
         Assembled<Real> assembled;
-        for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
-            store3(load3(entities.displacement[0][c] + lane, stride), assembled.motion[c][0], vector_lanes<Real>);
-            store3(load3(entities.velocity_increment[0][c] + lane, stride), assembled.motion[c][3], vector_lanes<Real>);
-        }
+        assemble(entities, lane, assembled);
         Forces<Real> forces;
         Outcome<Real> outcome;
         add_far<Sums::dissipated>(v, 0xffffU, assembled, ones, limits, forces, outcome);
-        for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
-            store3(forces.f[c], entities.force[0][c] + lane, stride);
-        }
+        store(forces, lane, entities);
     }
 }
 

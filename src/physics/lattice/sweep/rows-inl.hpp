@@ -18,6 +18,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace cracksim::physics::HWY_NAMESPACE {
 
+/// The sums over the vectors of a row.
+template <class Real>
+struct RowSums {
+    V<Real> dissipated;
+    V<Real> elastic;
+    V<Real> over_step;
+};
+
 /// The forces on the corners.
 template <class Real>
 struct Forces {

@@ -81,4 +81,10 @@ struct SweepView : MotionView<Real> {
     double over_step;                    ///< out: the interactions' part of Swept::over_step, J
 };
 
+/// True if a sweep with Measure::all computes `over_step`.
+template <class Real>
+bool finds_over_step(const SweepView<Real>& /*view*/) {
+    return true;
+}
+
 }  // namespace cracksim::physics

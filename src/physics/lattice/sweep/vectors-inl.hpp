@@ -124,6 +124,13 @@ HWY_INLINE void store3(const V3<Real>& v, Real* to, std::size_t stride) {
     hn::StoreU(v.z, d, to + 2 * stride);
 }
 
+/// lanes: one bit each.
+template <class Real>
+HWY_INLINE hn::Mask<D<Real>> mask_of(std::uint8_t lanes) {
+    const std::uint8_t bits[8] = {lanes};
+    return hn::LoadMaskBits(D<Real>{}, bits);
+}
+
 template <class Real>
 HWY_INLINE unsigned mask_bits(hn::Mask<D<Real>> mask) {
     const D<Real> d;

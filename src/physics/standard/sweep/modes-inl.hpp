@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include <cstddef>
+#include <utility>
 
 #include "physics/lattice/sweep/corners-inl.hpp"
 
@@ -80,17 +81,25 @@ CRACKSIM_INLINE void find_increment_modes(const SideValues<Real>& at, Modes<Real
     modes.hourglass[0][Axis] = hn::Sub(above, below);
 }
 
+/// One component of the vectors at the corners. load(corner) gives it; the corner is a compile-time constant.
+template <class Real, class Load>
+CRACKSIM_INLINE SideValues<Real> side_values(Load&& load) {
+    SideValues<Real> at;
+    for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
+        constexpr auto corners = Lattice::corners_of_side[side];
+        at.lower[side] = load(std::integral_constant<std::size_t, corners[0]>{});
+        at.upper[side] = load(std::integral_constant<std::size_t, corners[1]>{});
+    });
+    return at;
+}
+
 /// The sums of the displacements of entities. from: the motions of their corners.
 template <class From, class Real>
 CRACKSIM_INLINE void find_displacement_modes(const From& from, Modes<Real>& modes) {
     for_each<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
-        SideValues<Real> at;
-        for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
-            constexpr auto corners = Lattice::corners_of_side[side];
-            at.lower[side] = from.template displacement<corners[0], axis>();
-            at.upper[side] = from.template displacement<corners[1], axis>();
-        });
-        find_displacement_modes<axis>(at, modes);
+        find_displacement_modes<axis>(
+            side_values<Real>([&](auto c) CRACKSIM_INLINE_LAMBDA { return from.template displacement<c, axis>(); }),
+            modes);
     });
 }
 
@@ -98,13 +107,10 @@ CRACKSIM_INLINE void find_displacement_modes(const From& from, Modes<Real>& mode
 template <class From, class Real>
 CRACKSIM_INLINE void find_increment_modes(const From& from, Modes<Real>& modes) {
     for_each<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
-        SideValues<Real> at;
-        for_each<Lattice::sides>([&](auto side) CRACKSIM_INLINE_LAMBDA {
-            constexpr auto corners = Lattice::corners_of_side[side];
-            at.lower[side] = from.template velocity_increment<corners[0], axis>();
-            at.upper[side] = from.template velocity_increment<corners[1], axis>();
-        });
-        find_increment_modes<axis>(at, modes);
+        find_increment_modes<axis>(side_values<Real>([&](auto c) CRACKSIM_INLINE_LAMBDA {
+                                       return from.template velocity_increment<c, axis>();
+                                   }),
+                                   modes);
     });
 }
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "physics/lattice/sweep/corners-inl.hpp"
 #include "physics/standard/sweep/law-inl.hpp"
@@ -28,18 +29,9 @@ HWY_INLINE unsigned lanes_at(const std::uint8_t* of_batch, std::size_t site) {
 }
 
 template <class Real>
-HWY_INLINE V<Real> of_lanes(unsigned lanes, V<Real> v) {
-    const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes)};
-    return hn::IfThenElseZero(hn::LoadMaskBits(D<Real>{}, bits), v);
+HWY_INLINE V<Real> zero_unless(unsigned lanes, V<Real> v) {
+    return hn::IfThenElseZero(mask_of<Real>(static_cast<std::uint8_t>(lanes)), v);
 }
-
-/// The sums over the vectors of a row.
-template <class Real>
-struct StandardSums {
-    V<Real> dissipated;
-    V<Real> elastic;
-    V<Real> over_step;
-};
 
 template <class Real>
 HWY_INLINE void store_as_double(V<Real> v, double* to) {
@@ -106,19 +98,19 @@ HWY_NOINLINE void mark(StandardView<Real>& v, const StandardConstants<Real>& k, 
 /// Adds the outcome of a vector to the sums and marks the entities beyond their limits of sensing.
 template <class K, class From, class Real>
 HWY_INLINE void add_to_sums(StandardView<Real>& v, const StandardConstants<Real>& k, const From& from,
-                            const StandardOutcome<Real>& outcome, std::size_t site, StandardSums<Real>& sums) {
+                            const StandardOutcome<Real>& outcome, std::size_t site, RowSums<Real>& sums) {
     const unsigned owned = lanes_at<Real>(v.owned, site);
     if constexpr (K::damped) {
-        sums.dissipated = hn::Add(sums.dissipated, of_lanes<Real>(owned, outcome.dissipated));
+        sums.dissipated = hn::Add(sums.dissipated, zero_unless<Real>(owned, outcome.dissipated));
     }
     if constexpr (K::measured) {
-        sums.elastic = hn::Add(sums.elastic, of_lanes<Real>(owned, outcome.elastic));
+        sums.elastic = hn::Add(sums.elastic, zero_unless<Real>(owned, outcome.elastic));
     }
     if constexpr (K::over_step) {
         V<Real> work;
         find_work_of_step_before<K>(k, from, work);
         const V<Real> twice = hn::Add(work, outcome.dissipated);
-        sums.over_step = hn::MulAdd(broadcast<Real>(0.5), of_lanes<Real>(owned, twice), sums.over_step);
+        sums.over_step = hn::MulAdd(broadcast<Real>(0.5), zero_unless<Real>(owned, twice), sums.over_step);
     }
     // The largest stress is at most tension + sqrt(deviatoric).
     const V<Real> slack = hn::Sub(from_bfloat16<Real>(v.limits + site), outcome.tension);
@@ -134,10 +126,10 @@ template <class Real>
 CRACKSIM_INLINE void keep(unsigned present, Modes<Real>& forces) {
     for_each<3>([&](auto axis) CRACKSIM_INLINE_LAMBDA {
         for_each<3>([&](auto i) CRACKSIM_INLINE_LAMBDA {
-            forces.mean[i][axis] = of_lanes<Real>(present, forces.mean[i][axis]);
+            forces.mean[i][axis] = zero_unless<Real>(present, forces.mean[i][axis]);
         });
         for_each<hourglasses>([&](auto p) CRACKSIM_INLINE_LAMBDA {
-            forces.hourglass[p][axis] = of_lanes<Real>(present, forces.hourglass[p][axis]);
+            forces.hourglass[p][axis] = zero_unless<Real>(present, forces.hourglass[p][axis]);
         });
     });
 }
@@ -146,7 +138,7 @@ CRACKSIM_INLINE void keep(unsigned present, Modes<Real>& forces) {
 /// the place of that vector.
 template <class K, class Real>
 HWY_NOINLINE std::size_t sweep_standard_base(StandardView<Real>& v, const RowView& row, RowRun<Real>& run,
-                                             std::size_t at, StandardSums<Real>& sums) {
+                                             std::size_t at, RowSums<Real>& sums) {
     const StandardConstants<Real> k = v.constants;
     constexpr unsigned all = (1U << vector_lanes<Real>)-1;
     for (; at < row.sites && is_base(v, row.first_site + at); at += vector_lanes<Real>) {
@@ -189,7 +181,7 @@ CRACKSIM_INLINE void find_corner_forces(const Modes<Real>& modes, Forces<Real>& 
 /// Sweeps the vector at the place `at` of a row. Its corners may be in base layer and pool.
 template <class K, class Real>
 HWY_NOINLINE void sweep_standard_split(StandardView<Real>& v, const RowView& row, RowRun<Real>& run, std::size_t at,
-                                       unsigned present, StandardSums<Real>& sums) {
+                                       unsigned present, RowSums<Real>& sums) {
     const StandardConstants<Real> k = v.constants;
     const std::size_t site = row.first_site + at;
     Assembled<Real> assembled;
@@ -213,7 +205,7 @@ void sweep_standard_vectors(StandardView<Real>& v, const RowView& row) {
     const D<Real> d;
     std::fill_n(v.stretched + row.first_site / Lattice::lanes, row.sites / Lattice::lanes, std::uint8_t{0});
     std::fill_n(v.stored + row.first_site / Lattice::lanes, row.sites / Lattice::lanes, std::uint8_t{0});
-    StandardSums<Real> sums{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+    RowSums<Real> sums{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
     RowRun<Real> run = begin_run(v, row);
     for (std::size_t at = 0; at < row.sites;) {
         const std::size_t site = row.first_site + at;
@@ -237,44 +229,20 @@ void sweep_standard_vectors(StandardView<Real>& v, const RowView& row) {
     }
 }
 
-template <bool IsCube, bool IsDamped, class Real>
-void sweep_standard(StandardView<Real>& v, const RowView& row, Measure measure) {
-    if constexpr (IsDamped) {
-        if (measure == Measure::all && finds_over_step(v)) {
-            sweep_standard_vectors<Kind<IsCube, IsDamped, true, true>>(v, row);
-            return;
+/// Calls action(is_cube, is_damped), two compile-time constants, for the entities of a sweep.
+template <class Real, class Action>
+void with_kind(const StandardView<Real>& v, Action&& action) {
+    const auto with_damping = [&](auto is_cube) {
+        if (v.is_damped) {
+            action(is_cube, std::true_type{});
+        } else {
+            action(is_cube, std::false_type{});
         }
-    }
-    if (measure != Measure::nothing) {
-        sweep_standard_vectors<Kind<IsCube, IsDamped, true>>(v, row);
+    };
+    if (v.is_cube) {
+        with_damping(std::true_type{});
     } else {
-        sweep_standard_vectors<Kind<IsCube, IsDamped, false>>(v, row);
-    }
-}
-
-template <class Real>
-void sweep_standard_of(StandardView<Real>& v, const RowView& row, Measure measure) {
-    if (v.is_cube && v.is_damped) {
-        sweep_standard<true, true>(v, row, measure);
-    } else if (v.is_cube) {
-        sweep_standard<true, false>(v, row, measure);
-    } else if (v.is_damped) {
-        sweep_standard<false, true>(v, row, measure);
-    } else {
-        sweep_standard<false, false>(v, row, measure);
-    }
-}
-
-constexpr std::size_t gathered_stride = Hexahedron::corners * std::size_t{Lattice::lanes};
-
-/// The motions of a vector of gathered entities, from the lane on.
-template <class Real>
-CRACKSIM_INLINE void assemble_gathered(const GatheredEntities<Real>& entities, std::size_t lane,
-                                       Assembled<Real>& assembled) {
-    constexpr std::size_t stride = gathered_stride;
-    for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
-        store3(load3(entities.displacement[0][c] + lane, stride), assembled.motion[c][0], vector_lanes<Real>);
-        store3(load3(entities.velocity_increment[0][c] + lane, stride), assembled.motion[c][3], vector_lanes<Real>);
+        with_damping(std::false_type{});
     }
 }
 
@@ -282,7 +250,7 @@ template <class Real>
 void find_gathered_stresses(const StandardView<Real>& v, const GatheredEntities<Real>& entities, BatchStress& found) {
     for (std::size_t lane = 0; lane < Lattice::lanes; lane += vector_lanes<Real>) {
         Assembled<Real> assembled;
-        assemble_gathered(entities, lane, assembled);
+        assemble(entities, lane, assembled);
         store_stresses(v.constants, assembled, lane, found);
     }
 }
@@ -290,18 +258,15 @@ void find_gathered_stresses(const StandardView<Real>& v, const GatheredEntities<
 template <class K, class Real>
 void sweep_gathered_standard(const StandardView<Real>& v, GatheredEntities<Real>& entities) {
     const StandardConstants<Real> k = v.constants;
-    constexpr std::size_t stride = gathered_stride;
     for (std::size_t lane = 0; lane < Lattice::lanes; lane += vector_lanes<Real>) {
         Assembled<Real> assembled;
-        assemble_gathered(entities, lane, assembled);
+        assemble(entities, lane, assembled);
         Modes<Real> modes;
         StandardOutcome<Real> outcome;
         find_mode_forces<K>(k, assembled, modes, outcome);
         Forces<Real> forces;
         find_corner_forces(modes, forces);
-        for (std::size_t c = 0; c < Hexahedron::corners; ++c) {
-            store3(forces.f[c], entities.force[0][c] + lane, stride);
-        }
+        store(forces, lane, entities);
     }
 }
 
@@ -311,19 +276,21 @@ void find_standard_stresses_of_real(const StandardView<CRACKSIM_REAL>& v,
 }
 
 void sweep_standard_row_of_real(StandardView<CRACKSIM_REAL>& v, const RowView& row, Measure measure) {
-    sweep_standard_of(v, row, measure);
+    with_kind(v, [&](auto is_cube, auto is_damped) {
+        if (measure == Measure::all && finds_over_step(v)) {
+            sweep_standard_vectors<Kind<is_cube, is_damped, true, is_damped>>(v, row);
+        } else if (measure != Measure::nothing) {
+            sweep_standard_vectors<Kind<is_cube, is_damped, true>>(v, row);
+        } else {
+            sweep_standard_vectors<Kind<is_cube, is_damped, false>>(v, row);
+        }
+    });
 }
 
 void sweep_standard_entities_of_real(const StandardView<CRACKSIM_REAL>& v, GatheredEntities<CRACKSIM_REAL>& entities) {
-    if (v.is_cube && v.is_damped) {
-        sweep_gathered_standard<Kind<true, true, false>>(v, entities);
-    } else if (v.is_cube) {
-        sweep_gathered_standard<Kind<true, false, false>>(v, entities);
-    } else if (v.is_damped) {
-        sweep_gathered_standard<Kind<false, true, false>>(v, entities);
-    } else {
-        sweep_gathered_standard<Kind<false, false, false>>(v, entities);
-    }
+    with_kind(v, [&](auto is_cube, auto is_damped) {
+        sweep_gathered_standard<Kind<is_cube, is_damped, false>>(v, entities);
+    });
 }
 
 }  // namespace cracksim::physics::HWY_NAMESPACE
@@ -337,7 +304,7 @@ HWY_EXPORT(sweep_standard_row_of_real);
 HWY_EXPORT(sweep_standard_entities_of_real);
 HWY_EXPORT(find_standard_stresses_of_real);
 
-void sweep_standard_row(StandardView<CRACKSIM_REAL>& v, const RowView& row, Measure measure) {
+void sweep_row(StandardView<CRACKSIM_REAL>& v, const RowView& row, Measure measure) {
     HWY_DYNAMIC_DISPATCH(sweep_standard_row_of_real)(v, row, measure);
 }
 

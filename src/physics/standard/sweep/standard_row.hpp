@@ -6,8 +6,8 @@
 namespace cracksim::physics {
 
 /// Adds the forces of a row's standard entities to their unions, with the SIMD target in use.
-void sweep_standard_row(StandardView<double>& v, const RowView& row, Measure measure);
-void sweep_standard_row(StandardView<float>& v, const RowView& row, Measure measure);
+void sweep_row(StandardView<double>& v, const RowView& row, Measure measure);
+void sweep_row(StandardView<float>& v, const RowView& row, Measure measure);
 
 /// Computes the forces of gathered entities, with the bits that the sweep of their rows would give.
 void sweep_standard_entities(const StandardView<double>& v, GatheredEntities<double>& entities);

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
+#include "core/symmetric_tensor.hpp"
 #include "physics/lattice/bfloat16.hpp"
 #include "physics/lattice/sweep/motion_view.hpp"
 
@@ -33,6 +35,14 @@ struct StandardConstants {
 
 /// The elastic stress over E of the entities of a batch, by component (as SymmetricTensor) and lane.
 struct BatchStress {
+    [[nodiscard]] SymmetricTensor of(std::size_t lane) const {
+        SymmetricTensor found;
+        for (std::size_t c = 0; c < found.size(); ++c) {
+            found[c] = component[c][lane];
+        }
+        return found;
+    }
+
     double component[6][Lattice::lanes];
 };
 

@@ -27,7 +27,8 @@ std::array<Vec3, Hexahedron::corners> plain_forces(const Network& network, const
         const LocalUnion sb = state.unions.union_of(local_mass(e, b));
         const Vec3 du = state.displacement(sb) - state.displacement(sa);
         const Vec3 dv = (1 / state.step_size) * (state.velocity_increment(sb) - state.velocity_increment(sa));
-        const Vec3 f = interaction_force(network.model().paper().interaction[i], network.model().paper().rest[i], du, dv);
+        const Vec3 f =
+            interaction_force(network.model().paper().interaction[i], network.model().paper().rest[i], du, dv);
         force[static_cast<std::size_t>(a)] += f;
         force[static_cast<std::size_t>(b)] += -f;
     }

@@ -54,7 +54,8 @@ void expect_ascending(const test::Body& body) {
         if (body.engine.caches().rows.pooled.index()[half] < 0) {
             continue;
         }
-        const PooledCorners& pooled = body.engine.caches().rows.pooled.halves()[body.engine.caches().rows.pooled.index()[half]];
+        const PooledCorners& pooled =
+            body.engine.caches().rows.pooled.halves()[body.engine.caches().rows.pooled.index()[half]];
         const auto mass = [&](std::size_t i) {
             const Site site{static_cast<std::int32_t>(half * Lattice::half + pooled.lane(i))};
             return local_mass(state.lattice().entity(site), static_cast<int>(pooled.corner(i)));
