@@ -7,6 +7,7 @@
 #include "dynamics/make_engine.hpp"
 #include "partition/halo.hpp"
 #include "physics/fracture/split.hpp"
+#include "physics/problem/stability.hpp"
 #include "physics/start.hpp"
 #include "physics/state/hashes.hpp"
 #include "scene/counts.hpp"
@@ -36,14 +37,6 @@ std::int64_t count_owned_notched_faces(const physics::Network& network) {
                                  [&](std::int32_t f) { return network.owned(network.interior_faces()[f].a); });
 }
 
-bool has_dashpots(const physics::EntityModel& model) {
-    if (model.is_standard()) {
-        return model.standard().solid.damping_time > 0;
-    }
-    return std::ranges::any_of(model.paper().interaction,
-                               [](const physics::KelvinVoigt& i) { return i.viscosity > 0; });
-}
-
 /// Closed forms where there is no notch. Collective.
 ProblemCounts count(const partition::Communicator& comm, const scene::Scene& scene, const physics::Network& network,
                     const physics::State& state) {
@@ -69,7 +62,7 @@ Dynamics::Dynamics(const partition::Communicator& comm, const scene::Scene& scen
       exchange_{comm, network_, decomposition_, state_},
       prefilter_{scene.sensors.prefilter ? physics::Prefilter::on : physics::Prefilter::off},
       counts_{count(comm, scene, network_, state_)},
-      energies_{state_.scheme, has_dashpots(network_.model()) ? book_period : 0} {
+      energies_{state_.scheme, physics::has_viscosity(network_.model()) ? book_period : 0} {
     exchange_.share_parts(network_, decomposition_, state_, *engine_);
     physics::start(network_, scene::initial_fields(scene), state_, *engine_);
     exchange_.share_increments(network_, decomposition_, state_);

@@ -19,7 +19,7 @@ Vec3 first_increment(const Network& network, const Initial& initial, const State
     if (state.scheme != Scheme::ab2 || network.supports().empty()) {
         return free;
     }
-    return prescribed(network, state.step_size, held_at(network, s, rest), free, 0);
+    return prescribed(network, state, held_at(network, s, rest), free, 0);
 }
 
 }  // namespace

@@ -160,8 +160,8 @@ void Advancer::for_each_received(std::size_t row, unsigned met, auto&& action) {
 void Advancer::leave_out_foreign(std::size_t row, unsigned met) {
     for (const LocalUnion s : caches_->foreign.in_row(row)) {
         if ((met & bit_of(layer_of(s))) != 0) {
-            const Vec3 force = state_->force(s);
-            force_work_ -= dot(force, state_->increment(s) + state_->dt2_over_mass(s) * force);
+            const Motion::Moving now = state_->motion.moving(s);
+            force_work_ -= dot(now.force, now.next_increment());
         }
     }
 }
@@ -191,9 +191,8 @@ void Advancer::correct(std::size_t row, unsigned met) {
 /// Replaces the held components by the prescribed ones and adds the work of the support's force on the union, and what
 /// the support changes in F.w.
 void Advancer::correct_held(const Before& before) {
-    const double time = (static_cast<double>(state_->step) + 0.5) * state_->step_size;
     const Vec3 free = state_->increment(before.local_union);
-    const Vec3 w = state_->motion.rounded(prescribed(*network_, state_->step_size, *before.held, free, time));
+    const Vec3 w = state_->motion.rounded(prescribed(*network_, *state_, *before.held, free, 0.5));
     state_->set_increment(before.local_union, w);
     state_->set_displacement(before.local_union, before.displacement + w);
     extrapolate(*state_, before.local_union, w, before.increment);

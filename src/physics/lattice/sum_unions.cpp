@@ -25,7 +25,7 @@ struct FreeMotion {
 
 FreeMotion free_motion(const State& state, LocalUnion s) {
     const Motion::Moving now = state.motion.moving(s);
-    return {now.displacement, now.increment, now.increment + now.dt2_over_mass * now.force, 1 / now.dt2_over_mass};
+    return {now.displacement, now.increment, now.next_increment(), 1 / now.dt2_over_mass};
 }
 
 /// Adds M/dt^2 times half the increment: the momentum divided by dt.
@@ -60,7 +60,7 @@ void add_to_supports(std::vector<SupportSums>& supports, const HeldUnion& held, 
 /// Adds what the supports change.
 void add_held(const Network& network, const State& state, const HeldUnion& held, UnionSums& sums) {
     const FreeMotion m = free_motion(state, held.local_union);
-    const Vec3 change = prescribed(network, state, held.local_union, m.next, 0.5) - m.next;
+    const Vec3 change = prescribed(network, state, held, m.next, 0.5) - m.next;
     sums.kinetic += 0.5 * m.mass_over_dt2 * dot(m.last, change);
     add_momentum(sums, m, change, held.rest);
     add_to_supports(sums.supports, held, m, m.mass_over_dt2 * change,
@@ -125,11 +125,7 @@ void add_others(const Network& network, const State& state, const ForeignUnions&
 UnionSums sum_unions(const Network& network, const State& state, const ForeignUnions& foreign) {
     UnionSums sums;
     sums.supports.resize(network.supports().size());
-    if (state.motion.precision() == Precision::binary32) {
-        add_base<float>(network, state, sums);
-    } else {
-        add_base<double>(network, state, sums);
-    }
+    in_precision(state.motion.precision(), [&]<class Real>(Real) { add_base<Real>(network, state, sums); });
     add_others(network, state, foreign, sums);
     for (const HeldUnion& held : state.held.all()) {
         if (network.owned(entity_of(state.unions.smallest_mass(held.local_union)))) {

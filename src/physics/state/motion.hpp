@@ -137,6 +137,9 @@ public:
         Vec3 increment;
         Vec3 force;
         double dt2_over_mass;
+
+        /// In double, without supports.
+        [[nodiscard]] Vec3 next_increment() const { return increment + dt2_over_mass * force; }
     };
     [[nodiscard]] Moving moving(LocalUnion s) const {
         const auto values = [&](const auto& numbers) {

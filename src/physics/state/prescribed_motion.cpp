@@ -14,12 +14,13 @@ double velocity_at(const std::function<double(Vec3, double)>& velocity, Vec3 res
 
 }  // namespace
 
-Vec3 prescribed(const Network& network, double step_size, const HeldUnion& held, Vec3 free, double t) {
+Vec3 prescribed(const Network& network, const State& state, const HeldUnion& held, Vec3 free, double offset) {
+    const double t = (static_cast<double>(state.step) + offset) * state.step_size;
     for (int axis = 0; axis < 3; ++axis) {
         const int support = held.support[static_cast<std::size_t>(axis)];
         if (support >= 0) {
             const auto& velocity = network.supports()[static_cast<std::size_t>(support)].velocity;
-            free[axis] = step_size * velocity_at(velocity[static_cast<std::size_t>(axis)], held.rest, t);
+            free[axis] = state.step_size * velocity_at(velocity[static_cast<std::size_t>(axis)], held.rest, t);
         }
     }
     return free;
@@ -27,8 +28,7 @@ Vec3 prescribed(const Network& network, double step_size, const HeldUnion& held,
 
 Vec3 prescribed(const Network& network, const State& state, LocalUnion s, Vec3 free, double offset) {
     const HeldUnion* held = state.held.find(s);
-    const double t = (static_cast<double>(state.step) + offset) * state.step_size;
-    return held == nullptr ? free : prescribed(network, state.step_size, *held, free, t);
+    return held == nullptr ? free : prescribed(network, state, *held, free, offset);
 }
 
 }  // namespace cracksim::physics

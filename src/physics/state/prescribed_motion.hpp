@@ -10,7 +10,8 @@ namespace cracksim::physics {
 /// middle of the next step.
 [[nodiscard]] Vec3 prescribed(const Network& network, const State& state, LocalUnion s, Vec3 free, double offset);
 
-/// The same for a held union at a time t, s.
-[[nodiscard]] Vec3 prescribed(const Network& network, double step_size, const HeldUnion& held, Vec3 free, double t);
+/// The same for a union that is known to be held.
+[[nodiscard]] Vec3 prescribed(const Network& network, const State& state, const HeldUnion& held, Vec3 free,
+                              double offset);
 
 }  // namespace cracksim::physics
