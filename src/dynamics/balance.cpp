@@ -1,5 +1,7 @@
 #include "dynamics/balance.hpp"
 
+#include "core/vec3.hpp"
+
 namespace cracksim::dynamics {
 
 namespace {
@@ -11,16 +13,19 @@ void for_each_number(Balance& balance, auto&& action) {
         action(v.y);
         action(v.z);
     };
-    action(balance.kinetic);
-    action(balance.elastic);
-    action(balance.dissipated);
-    vector(balance.momentum);
-    vector(balance.angular_momentum);
-    for (Balance::Support& support : balance.supports) {
+    action(balance.unions.kinetic);
+    vector(balance.unions.momentum);
+    vector(balance.unions.angular_momentum);
+    for (physics::SupportSums& support : balance.unions.supports) {
         vector(support.force);
-        vector(support.weighted);
+        vector(support.displacement);
         action(support.mass);
         action(support.work);
+    }
+    action(balance.elastic);
+    action(balance.dissipated);
+    for (double& work : balance.work) {
+        action(work);
     }
 }
 

@@ -108,13 +108,9 @@ void Dynamics::advance(physics::Measure wanted) {
 }
 
 Balance Dynamics::balance() const {
-    const physics::UnionSums sums = engine_->sums(state_);
-    Balance balance{sums.kinetic,  energies_.elastic(),   energies_.dissipated(),
-                    sums.momentum, sums.angular_momentum, {}};
-    for (std::size_t i = 0; i < sums.supports.size(); ++i) {
-        const physics::SupportSums& support = sums.supports[i];
-        balance.supports.push_back(
-            {support.force, support.displacement, support.mass, energies_.external(i, state_.held, sums)});
+    Balance balance{engine_->sums(state_), energies_.elastic(), energies_.dissipated(), {}};
+    for (std::size_t i = 0; i < balance.unions.supports.size(); ++i) {
+        balance.work.push_back(energies_.external(i, state_.held, balance.unions));
     }
     return balance;
 }

@@ -73,9 +73,11 @@ std::vector<io::Summary::Fragment> largest_fragments(const Simulation& simulatio
 
 std::vector<io::Summary::Support> supports(const Simulation& simulation) {
     std::vector<io::Summary::Support> all;
-    for (std::size_t i = 0; i < simulation.books().balance().supports.size(); ++i) {
-        const dynamics::Balance::Support& support = simulation.books().balance().supports[i];
-        all.push_back({simulation.scene().supports[i].name, support.force, support.displacement(), support.work});
+    const dynamics::Balance& balance = simulation.books().balance();
+    for (std::size_t i = 0; i < balance.work.size(); ++i) {
+        const physics::SupportSums& support = balance.unions.supports[i];
+        all.push_back(
+            {simulation.scene().supports[i].name, support.force, support.mean_displacement(), balance.work[i]});
     }
     return all;
 }
@@ -108,8 +110,8 @@ io::Summary summarize(const Simulation& simulation, const forecast::Forecast& fo
     summary.crack_area = simulation.coat().crack_area();
     summary.energy = {energies.kinetic,  energies.elastic,  energies.dissipated,
                       energies.external, energies.residual, energies.scale};
-    summary.momentum = simulation.books().balance().momentum;
-    summary.angular_momentum = simulation.books().balance().angular_momentum;
+    summary.momentum = simulation.books().balance().unions.momentum;
+    summary.angular_momentum = simulation.books().balance().unions.angular_momentum;
     summary.supports = supports(simulation);
     summary.seconds = seconds(simulation);
     const double running = summary.seconds.total - summary.seconds.setup;

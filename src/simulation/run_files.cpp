@@ -112,14 +112,15 @@ void RunFiles::history(const Simulation& simulation) {
     const Energies& energies = simulation.books().energies();
     const dynamics::Balance& balance = simulation.books().balance();
     std::vector<io::HistoryRow::Support> supports;
-    for (const dynamics::Balance::Support& support : balance.supports) {
-        supports.push_back({support.force, support.displacement(), support.work});
+    for (std::size_t i = 0; i < balance.work.size(); ++i) {
+        const physics::SupportSums& support = balance.unions.supports[i];
+        supports.push_back({support.force, support.mean_displacement(), balance.work[i]});
     }
     simulation.stopwatch().time(dynamics::Phase::output, [&] {
         history_.write({state.step, state.time(), energies.kinetic, energies.elastic, energies.dissipated,
                         energies.external, totals.inactive_duplets, totals.unions, simulation.coat().fragment_count(),
                         simulation.coat().component_count(), simulation.coat().crack_area(), energies.residual,
-                        energies.scale, balance.momentum, balance.angular_momentum, supports});
+                        energies.scale, balance.unions.momentum, balance.unions.angular_momentum, supports});
     });
 }
 

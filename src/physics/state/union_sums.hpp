@@ -12,6 +12,9 @@ struct SupportSums {
     Vec3 displacement;  ///< sum of M u, kg m
     double mass{0};     ///< kg
     double work{0};     ///< R(n).w(n)/2, J
+
+    /// Mean displacement, m; zero if it holds nothing.
+    [[nodiscard]] Vec3 mean_displacement() const { return mass > 0 ? (1 / mass) * displacement : Vec3{}; }
 };
 
 /// Sums over the unions that this rank owns (their smallest mass is in an owned entity).
