@@ -18,6 +18,7 @@
 #include "partition/communicator.hpp"
 #include "scene/scene_reader.hpp"
 #include "simulation/simulation.hpp"
+#include "support/world.hpp"
 #include "tests/long/cgal_block.hpp"
 #include "tests/long/flag.hpp"
 #include "tests/long/gathered_map.hpp"
@@ -29,10 +30,7 @@ namespace {
 
 using topology::Cell;
 
-const partition::Communicator& world() {
-    static const partition::Communicator comm{MPI_COMM_WORLD};
-    return comm;
-}
+using test::world;
 
 class Oracle : public Observer {
 public:

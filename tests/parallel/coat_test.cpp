@@ -15,16 +15,14 @@
 #include "support/drawn_scene.hpp"
 #include "support/quick.hpp"
 #include "support/whole_labels.hpp"
+#include "support/world.hpp"
 
 namespace cracksim::simulation {
 namespace {
 
 using LabelArray = IdArray<LocalEntity, EntityId>;
 
-const partition::Communicator& world() {
-    static const partition::Communicator comm{MPI_COMM_WORLD};
-    return comm;
-}
+using test::world;
 
 /// The masses of each union, found by the union's smallest mass.
 class Unions {

@@ -14,16 +14,14 @@
 #include "support/drawn_scene.hpp"
 #include "support/parallel_body.hpp"
 #include "support/quick.hpp"
+#include "support/world.hpp"
 
 namespace cracksim::physics {
 namespace {
 
 using test::ParallelBody;
 
-const partition::Communicator& world() {
-    static const partition::Communicator comm{MPI_COMM_WORLD};
-    return comm;
-}
+using test::world;
 
 /// A scene's problem on this rank.
 struct Problem {

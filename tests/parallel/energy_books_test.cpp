@@ -10,14 +10,12 @@
 #include "scene/certified_step.hpp"
 #include "scene/scene_reader.hpp"
 #include "simulation/books.hpp"
+#include "support/world.hpp"
 
 namespace cracksim::dynamics {
 namespace {
 
-const partition::Communicator& world() {
-    static const partition::Communicator comm{MPI_COMM_WORLD};
-    return comm;
-}
+using test::world;
 
 struct Ending {
     double worst{0};  ///< the largest residual, relative to the energy put in

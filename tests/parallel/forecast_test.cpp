@@ -9,14 +9,12 @@
 #include "partition/communicator.hpp"
 #include "scene/scene_reader.hpp"
 #include "simulation/simulation.hpp"
+#include "support/world.hpp"
 
 namespace cracksim::simulation {
 namespace {
 
-const partition::Communicator& world() {
-    static const partition::Communicator comm{MPI_COMM_WORLD};
-    return comm;
-}
+using test::world;
 
 scene::Scene scene_of(const std::string& cells, const std::string& partition, const std::string& scheme,
                       const std::string& sensors = "threshold: 0.02") {

@@ -13,16 +13,14 @@
 #include "partition/communicator.hpp"
 #include "scene/scene_reader.hpp"
 #include "simulation/simulation.hpp"
+#include "support/world.hpp"
 #include "topology/dart.hpp"
 #include "topology/validity.hpp"
 
 namespace cracksim::simulation {
 namespace {
 
-const partition::Communicator& world() {
-    static const partition::Communicator comm{MPI_COMM_WORLD};
-    return comm;
-}
+using test::world;
 
 std::string scene_text(const std::string& partition, const std::string& scheme, int seed) {
     return "block: {entity: hexahedron, cells: [10, 9, 5], edge: 0.01}\n"

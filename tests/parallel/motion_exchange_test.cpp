@@ -13,14 +13,12 @@
 #include "scene/problem.hpp"
 #include "scene/scene_reader.hpp"
 #include "support/network_members.hpp"
+#include "support/world.hpp"
 
 namespace cracksim::simulation {
 namespace {
 
-const partition::Communicator& world() {
-    static const partition::Communicator comm{MPI_COMM_WORLD};
-    return comm;
-}
+using test::world;
 
 /// Network and state of this rank's part of a block.
 struct Part {

@@ -13,15 +13,13 @@
 #include "simulation/simulation.hpp"
 #include "support/drawn_scene.hpp"
 #include "support/quick.hpp"
+#include "support/world.hpp"
 #include "surface/frame_meshes.hpp"
 
 namespace cracksim::simulation {
 namespace {
 
-const partition::Communicator& world() {
-    static const partition::Communicator comm{MPI_COMM_WORLD};
-    return comm;
-}
+using test::world;
 
 class BothWays : public Observer {
 public:

@@ -17,6 +17,7 @@
 #include "support/gathered_run.hpp"
 #include "support/oracle_comparison.hpp"
 #include "support/quick.hpp"
+#include "support/world.hpp"
 
 namespace cracksim::test {
 namespace {
@@ -26,10 +27,7 @@ constexpr std::uint64_t whole_campaign = 50;
 /// In sanitized builds the oracle's derivatives of the energy take minutes.
 constexpr std::uint64_t drawn_scenes = is_quick ? 12 : whole_campaign;
 
-const partition::Communicator& world() {
-    static const partition::Communicator comm{MPI_COMM_WORLD};
-    return comm;
-}
+using test::world;
 
 /// The value of the root's environment variable, on every rank.
 std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {

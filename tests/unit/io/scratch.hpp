@@ -7,13 +7,11 @@
 #include <string>
 
 #include "partition/communicator.hpp"
+#include "support/world.hpp"
 
 namespace cracksim::io {
 
-inline const partition::Communicator& world() {
-    static const partition::Communicator comm{MPI_COMM_WORLD};
-    return comm;
-}
+using test::world;
 
 /// A directory for one test, the same on all ranks, removed with the object. Collective.
 class Scratch {
