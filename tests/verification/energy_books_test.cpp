@@ -223,7 +223,7 @@ TEST(UnionSums, MomentumChangesByTheForcesOfTheSupports) {
             largest = std::max(largest, norm(expected));
             EXPECT_LT(norm(booked.sums().momentum - expected), 1e-13 * largest);
         }
-        const SupportSums& pull = booked.sums().supports[0];
+        const SupportSums pull = booked.sums().supports[0];
         EXPECT_NEAR(pull.displacement.x / pull.mass, -0.1 * std::sin(0.4 * 50 * dt) / 0.4, 1e-3);
     }
 }
